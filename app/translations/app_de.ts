@@ -800,49 +800,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
-    <name>ConditionParserNamesText</name>
-    <message>
-        <source>there is no phase %1; there are %2.</source>
-        <translation>es gibt keine Phase %1; es gibt %2.</translation>
-    </message>
-    <message>
-        <source>%1 is never %2; it can be %3.</source>
-        <translation>%1 ist nie %2; möglich ist %3.</translation>
-    </message>
-    <message>
-        <source>there is no body %1 here; there are %2.</source>
-        <translation>hier gibt es keinen Körper %1; es gibt %2.</translation>
-    </message>
-    <message>
-        <source>%1 has no %2; it has %3.</source>
-        <translation>%1 hat kein %2; es gibt %3.</translation>
-    </message>
-    <message>
-        <source>%1 is a body; ask for one of its numbers, as in %1.y (%2).</source>
-        <translation>%1 ist ein Körper; frag nach einer seiner Zahlen, wie in %1.y (%2).</translation>
-    </message>
-    <message>
-        <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
-        <translation>hier gibt es kein %1; es gibt %2 und Zahlen von Körpern, wie in %3.y.</translation>
-    </message>
-    <message>
-        <source>%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.</source>
-        <translation>%1 ist ein Vec2; frag nach einer seiner Zahlen, %1.x oder %1.y.</translation>
-    </message>
-    <message>
-        <source>%1 is a number, without members.</source>
-        <translation>%1 ist eine Zahl und hat keine Teile.</translation>
-    </message>
-    <message>
-        <source>distance needs two bodies with a comma between them, as in %1.</source>
-        <translation>distance braucht zwei Körper mit einem Komma dazwischen wie in %1.</translation>
-    </message>
-    <message>
-        <source>the name of a body is missing here, as in %1.</source>
-        <translation>hier fehlt der Name eines Körpers wie in %1.</translation>
-    </message>
-</context>
-<context>
     <name>ConditionParserText</name>
     <message>
         <source>this is too long; use at most %1 characters.</source>
@@ -915,6 +872,46 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>a comma can stand only between two bodies, as in distance(%1, %2); write numbers with a point.</source>
         <translation>ein Komma kann nur zwischen zwei Körpern stehen wie in distance(%1, %2); schreib Zahlen mit Punkt.</translation>
+    </message>
+    <message>
+        <source>there is no phase %1; there are %2.</source>
+        <translation>es gibt keine Phase %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>%1 is never %2; it can be %3.</source>
+        <translation>%1 ist nie %2; möglich ist %3.</translation>
+    </message>
+    <message>
+        <source>there is no body %1 here; there are %2.</source>
+        <translation>hier gibt es keinen Körper %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2; it has %3.</source>
+        <translation>%1 hat kein %2; es gibt %3.</translation>
+    </message>
+    <message>
+        <source>%1 is a body; ask for one of its numbers, as in %1.y (%2).</source>
+        <translation>%1 ist ein Körper; frag nach einer seiner Zahlen, wie in %1.y (%2).</translation>
+    </message>
+    <message>
+        <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
+        <translation>hier gibt es kein %1; es gibt %2 und Zahlen von Körpern, wie in %3.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.</source>
+        <translation>%1 ist ein Vec2; frag nach einer seiner Zahlen, %1.x oder %1.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a number, without members.</source>
+        <translation>%1 ist eine Zahl und hat keine Teile.</translation>
+    </message>
+    <message>
+        <source>distance needs two bodies with a comma between them, as in %1.</source>
+        <translation>distance braucht zwei Körper mit einem Komma dazwischen wie in %1.</translation>
+    </message>
+    <message>
+        <source>the name of a body is missing here, as in %1.</source>
+        <translation>hier fehlt der Name eines Körpers wie in %1.</translation>
     </message>
 </context>
 <context>
@@ -993,10 +990,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 </context>
 <context>
     <name>CostText</name>
-    <message>
-        <source>Frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
-    </message>
     <message>
         <source>The run does not reach frame %1. %2 Give an earlier frame.</source>
         <translation>Der Lauf kommt nicht bis Bild %1. %2 Gib ein früheres Bild an.</translation>
@@ -2152,85 +2145,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
-    <name>HardCaseText</name>
-    <message>
-        <source>It moves one body after the other, so the pulls between them do not cancel.</source>
-        <translation>Es bewegt einen Körper nach dem anderen, darum heben sich die Züge zwischen ihnen nicht auf.</translation>
-    </message>
-    <message>
-        <source>It looks for the moment when a body leaves the walls, but here a body never leaves them.</source>
-        <translation>Es sucht den Moment, in dem ein Körper die Wände verlässt, aber hier verlässt er sie nie.</translation>
-    </message>
-    <message>
-        <source>It would need about %1 steps in a frame, but stops after %2.</source>
-        <translation>Es bräuchte etwa %1 Zeitschritte in einem Bild, hört aber nach %2 auf.</translation>
-    </message>
-    <message>
-        <source>Without damping, the errors of its steps add up: to %1 px in %2 frames at worst.</source>
-        <translation>Ohne Dämpfung summieren sich die Fehler seiner Zeitschritte: schlimmstenfalls auf %1 px in %2 Bildern.</translation>
-    </message>
-    <message>
-        <source>Because its steps may have errors of %1 px, it never comes fully to rest: it moves by up to %2 px a frame.</source>
-        <translation>Weil seine Zeitschritte Fehler von %1 px haben dürfen, kommt es nie ganz zur Ruhe: Es bewegt sich um bis zu %2 px pro Bild.</translation>
-    </message>
-    <message>
-        <source>With a step of %1, its stiffest spring (stiffness %2) would swing from %3 px to %4 px, and farther.</source>
-        <translation>Mit einem Zeitschritt von %1 würde seine steifste Feder (Steifigkeit %2) von %3 px auf %4 px ausschlagen, und weiter.</translation>
-    </message>
-    <message>
-        <source>Its sticks are only tested with steps up to %1. With a step of %2, their errors are larger.</source>
-        <translation>Seine Stäbe werden nur mit Zeitschritten bis %1 geprüft. Mit einem Zeitschritt von %2 sind ihre Fehler größer.</translation>
-    </message>
-    <message>
-        <source>With a step of %1, its stiffest spring (stiffness %2) would not stop swinging: of %3 px, %4 px would be left after %5 frames.</source>
-        <translation>Mit einem Zeitschritt von %1 würde seine steifste Feder (Steifigkeit %2) nicht zur Ruhe kommen: Von %3 px wären nach %5 Bildern noch %4 px übrig.</translation>
-    </message>
-    <message>
-        <source>After frame %1, the position of %2 is no longer a finite number: it overflowed in &quot;%3&quot;.</source>
-        <translation>Nach Bild %1 ist die Position von %2 keine endliche Zahl mehr: Sie wurde in „%3“ zu groß.</translation>
-    </message>
-    <message>
-        <source>After frame %1, the method needs more steps for one frame than allowed.</source>
-        <translation>Nach Bild %1 braucht das Verfahren für ein Bild mehr Zeitschritte als erlaubt.</translation>
-    </message>
-    <message>
-        <source>At frame %1, %2 is more than %3 px away.</source>
-        <translation>Bei Bild %1 ist %2 mehr als %3 px entfernt.</translation>
-    </message>
-    <message>
-        <source>At frame %1, the centre of mass has moved %2 px, although nothing pushed it.</source>
-        <translation>Bei Bild %1 hat sich der Schwerpunkt um %2 px bewegt, obwohl ihn nichts geschoben hat.</translation>
-    </message>
-    <message>
-        <source>At frame %1, the length of the stick between %2 and %3 is wrong by %4 px, more than the expected %5 px.</source>
-        <translation>Bei Bild %1 ist die Länge des Stabs zwischen %2 und %3 um %4 px falsch, mehr als die erwarteten %5 px.</translation>
-    </message>
-    <message>
-        <source>At the end, %1 still moves %2 px a frame.</source>
-        <translation>Am Ende bewegt sich %1 immer noch um %2 px pro Bild.</translation>
-    </message>
-    <message>
-        <source>At the end, %1 is %2 px from where it should rest.</source>
-        <translation>Am Ende ist %1 um %2 px von dem Ort entfernt, an dem es ruhen sollte.</translation>
-    </message>
-    <message>
-        <source>At the end, the distance between %1 and %2 is wrong by %3 px.</source>
-        <translation>Am Ende ist der Abstand von %1 und %2 um %3 px falsch.</translation>
-    </message>
-    <message>
-        <source>A second run differs from the first one at frame %1.</source>
-        <translation>Ein zweiter Lauf unterscheidet sich bei Bild %1 vom ersten.</translation>
-    </message>
-    <message>
-        <source>This input should be rejected, but it was accepted.</source>
-        <translation>Diese Eingabe sollte abgelehnt werden, wurde aber angenommen.</translation>
-    </message>
-    <message>
-        <source>The run should stop and name the number that is not finite, but it does not.</source>
-        <translation>Der Lauf sollte anhalten und die Zahl nennen, die nicht endlich ist, tut es aber nicht.</translation>
-    </message>
-</context>
-<context>
     <name>HardCasesText</name>
     <message>
         <source>There is no case %1; there is %2.</source>
@@ -3166,6 +3080,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>vor Zeile %1, %2 von %3 Zeilen gelaufen</translation>
     </message>
     <message>
+        <source>before line %1, %2 lines run</source>
+        <translation>vor Zeile %1, %2 Zeilen gelaufen</translation>
+    </message>
+    <message>
         <source>line %1</source>
         <translation>Zeile %1</translation>
     </message>
@@ -3332,6 +3250,18 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>%1 ist hier ein %2 und keine Funktion.</translation>
     </message>
     <message>
+        <source>This is not a function.</source>
+        <translation>Das ist keine Funktion.</translation>
+    </message>
+    <message>
+        <source>%1 is not a function.</source>
+        <translation>%1 ist keine Funktion.</translation>
+    </message>
+    <message>
+        <source>Write it without &apos;()&apos;.</source>
+        <translation>Schreibe es ohne &apos;()&apos;.</translation>
+    </message>
+    <message>
         <source>To multiply, write &apos;*&apos;.</source>
         <translation>Zum Malnehmen schreibe &apos;*&apos;.</translation>
     </message>
@@ -3346,6 +3276,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>Between whole numbers, &apos;/&apos; drops the fraction: this is %1.</source>
         <translation>Zwischen ganzen Zahlen lässt &apos;/&apos; den Rest weg: Das ist %1.</translation>
+    </message>
+    <message>
+        <source>Between whole numbers, &apos;/&apos; drops the fraction.</source>
+        <translation>Zwischen ganzen Zahlen lässt &apos;/&apos; den Rest weg.</translation>
     </message>
     <message>
         <source>An &apos;int&apos; keeps no fraction, and this value may have one.</source>
@@ -3408,6 +3342,14 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Das lässt sich nicht ändern.</translation>
     </message>
     <message>
+        <source>This is a parameter.</source>
+        <translation>Das ist ein Parameter.</translation>
+    </message>
+    <message>
+        <source>Set it with its slider.</source>
+        <translation>Stelle ihn mit seinem Schieberegler ein.</translation>
+    </message>
+    <message>
         <source>A listing changes positions, velocities and its own variables.</source>
         <translation>Ein Listing ändert Orte, Geschwindigkeiten und seine eigenen Variablen.</translation>
     </message>
@@ -3426,6 +3368,26 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>A condition is true or false.</source>
         <translation>Eine Bedingung ist wahr oder falsch.</translation>
+    </message>
+    <message>
+        <source>%1 is a type and has no value.</source>
+        <translation>%1 ist ein Typ und hat keinen Wert.</translation>
+    </message>
+    <message>
+        <source>Use its x, its y or its length.</source>
+        <translation>Nimm sein x, sein y oder seine Länge.</translation>
+    </message>
+    <message>
+        <source>This sign does not work with this value.</source>
+        <translation>Dieses Zeichen passt nicht zu diesem Wert.</translation>
+    </message>
+    <message>
+        <source>Only an array has an index in &apos;[...]&apos;.</source>
+        <translation>Nur eine Liste hat einen Index in &apos;[...]&apos;.</translation>
+    </message>
+    <message>
+        <source>This computes a value, and nothing keeps it.</source>
+        <translation>Das berechnet einen Wert, und nichts behält ihn.</translation>
     </message>
     <message>
         <source>Compare this with something, for example with == or &gt;.</source>
@@ -3492,6 +3454,22 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Das steht außerhalb einer Funktion.</translation>
     </message>
     <message>
+        <source>No function stands inside another one.</source>
+        <translation>Keine Funktion steht in einer anderen.</translation>
+    </message>
+    <message>
+        <source>Move it out.</source>
+        <translation>Verschiebe sie nach außen.</translation>
+    </message>
+    <message>
+        <source>%1 stands only in a loop.</source>
+        <translation>%1 steht nur in einer Schleife.</translation>
+    </message>
+    <message>
+        <source>%1 does not belong here.</source>
+        <translation>%1 gehört nicht hierher.</translation>
+    </message>
+    <message>
         <source>Put it between the braces of a function.</source>
         <translation>Schreibe es zwischen die geschweiften Klammern einer Funktion.</translation>
     </message>
@@ -3544,6 +3522,18 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Ein Kommentar beginnt mit %1.</translation>
     </message>
     <message>
+        <source>A name begins with a letter.</source>
+        <translation>Ein Name beginnt mit einem Buchstaben.</translation>
+    </message>
+    <message>
+        <source>A name has only the letters a to z, digits and &apos;_&apos;.</source>
+        <translation>Ein Name hat nur die Buchstaben a bis z, Ziffern und &apos;_&apos;.</translation>
+    </message>
+    <message>
+        <source>A listing prints nothing: its values stand beside its lines.</source>
+        <translation>Ein Listing gibt nichts aus: Seine Werte stehen neben seinen Zeilen.</translation>
+    </message>
+    <message>
         <source>A power is %1.</source>
         <translation>Eine Potenz ist %1.</translation>
     </message>
@@ -3564,12 +3554,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Die Zeilen, die zu einer Bedingung gehören, stehen zwischen &apos;{&apos; und &apos;}&apos;.</translation>
     </message>
     <message>
-        <source>No &apos;then&apos; stands here.</source>
-        <translation>Hier steht kein &apos;then&apos;.</translation>
-    </message>
-    <message>
-        <source>This &apos;;&apos; ends the &apos;if&apos;, so that nothing belongs to it.</source>
-        <translation>Dieses &apos;;&apos; beendet das &apos;if&apos;, sodass nichts dazu gehört.</translation>
+        <source>This &apos;;&apos; ends %1, so that nothing belongs to it.</source>
+        <translation>Dieses &apos;;&apos; beendet %1, sodass nichts dazu gehört.</translation>
     </message>
     <message>
         <source>Delete the &apos;;&apos;.</source>
@@ -3630,6 +3616,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>Write &apos;+=&apos; to add to a value.</source>
         <translation>Schreibe &apos;+=&apos;, um zu einem Wert etwas zu addieren.</translation>
+    </message>
+    <message>
+        <source>Write &apos;-=&apos; to subtract from a value.</source>
+        <translation>Schreibe &apos;-=&apos;, um von einem Wert abzuziehen.</translation>
     </message>
     <message>
         <source>Write &apos;.&apos; between a body and its member, for example %1.</source>
@@ -4422,6 +4412,14 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>Whether the feet push the body back. If they do not, they cannot carry it.</source>
         <translation>Ob die Füße den Körper zurückschieben. Sonst können sie ihn nicht tragen.</translation>
     </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>The gait group: its feet share one clock.</source>
+        <translation>Die Ganggruppe: Ihre Füße teilen sich eine Uhr.</translation>
+    </message>
 </context>
 <context>
     <name>PullCardText</name>
@@ -4810,14 +4808,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Fuß von %1</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>The gait group: its feet share one clock.</source>
-        <translation>Die Ganggruppe: Ihre Füße teilen sich eine Uhr.</translation>
-    </message>
-    <message>
         <source>Gait group %1</source>
         <translation>Ganggruppe %1</translation>
     </message>
@@ -5047,6 +5037,82 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>It began in “%1”.</source>
         <translation>Begonnen hat es in „%1“.</translation>
+    </message>
+    <message>
+        <source>It moves one body after the other, so the pulls between them do not cancel.</source>
+        <translation>Es bewegt einen Körper nach dem anderen, darum heben sich die Züge zwischen ihnen nicht auf.</translation>
+    </message>
+    <message>
+        <source>It looks for the moment when a body leaves the walls, but here a body never leaves them.</source>
+        <translation>Es sucht den Moment, in dem ein Körper die Wände verlässt, aber hier verlässt er sie nie.</translation>
+    </message>
+    <message>
+        <source>It would need about %1 steps in a frame, but stops after %2.</source>
+        <translation>Es bräuchte etwa %1 Zeitschritte in einem Bild, hört aber nach %2 auf.</translation>
+    </message>
+    <message>
+        <source>Without damping, the errors of its steps add up: to %1 px in %2 frames at worst.</source>
+        <translation>Ohne Dämpfung summieren sich die Fehler seiner Zeitschritte: schlimmstenfalls auf %1 px in %2 Bildern.</translation>
+    </message>
+    <message>
+        <source>Because its steps may have errors of %1 px, it never comes fully to rest: it moves by up to %2 px a frame.</source>
+        <translation>Weil seine Zeitschritte Fehler von %1 px haben dürfen, kommt es nie ganz zur Ruhe: Es bewegt sich um bis zu %2 px pro Bild.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would swing from %3 px to %4 px, and farther.</source>
+        <translation>Mit einem Zeitschritt von %1 würde seine steifste Feder (Steifigkeit %2) von %3 px auf %4 px ausschlagen, und weiter.</translation>
+    </message>
+    <message>
+        <source>Its sticks are only tested with steps up to %1. With a step of %2, their errors are larger.</source>
+        <translation>Seine Stäbe werden nur mit Zeitschritten bis %1 geprüft. Mit einem Zeitschritt von %2 sind ihre Fehler größer.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would not stop swinging: of %3 px, %4 px would be left after %5 frames.</source>
+        <translation>Mit einem Zeitschritt von %1 würde seine steifste Feder (Steifigkeit %2) nicht zur Ruhe kommen: Von %3 px wären nach %5 Bildern noch %4 px übrig.</translation>
+    </message>
+    <message>
+        <source>After frame %1, the position of %2 is no longer a finite number: it overflowed in &quot;%3&quot;.</source>
+        <translation>Nach Bild %1 ist die Position von %2 keine endliche Zahl mehr: Sie wurde in „%3“ zu groß.</translation>
+    </message>
+    <message>
+        <source>After frame %1, the method needs more steps for one frame than allowed.</source>
+        <translation>Nach Bild %1 braucht das Verfahren für ein Bild mehr Zeitschritte als erlaubt.</translation>
+    </message>
+    <message>
+        <source>At frame %1, %2 is more than %3 px away.</source>
+        <translation>Bei Bild %1 ist %2 mehr als %3 px entfernt.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the centre of mass has moved %2 px, although nothing pushed it.</source>
+        <translation>Bei Bild %1 hat sich der Schwerpunkt um %2 px bewegt, obwohl ihn nichts geschoben hat.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the length of the stick between %2 and %3 is wrong by %4 px, more than the expected %5 px.</source>
+        <translation>Bei Bild %1 ist die Länge des Stabs zwischen %2 und %3 um %4 px falsch, mehr als die erwarteten %5 px.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 still moves %2 px a frame.</source>
+        <translation>Am Ende bewegt sich %1 immer noch um %2 px pro Bild.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 is %2 px from where it should rest.</source>
+        <translation>Am Ende ist %1 um %2 px von dem Ort entfernt, an dem es ruhen sollte.</translation>
+    </message>
+    <message>
+        <source>At the end, the distance between %1 and %2 is wrong by %3 px.</source>
+        <translation>Am Ende ist der Abstand von %1 und %2 um %3 px falsch.</translation>
+    </message>
+    <message>
+        <source>A second run differs from the first one at frame %1.</source>
+        <translation>Ein zweiter Lauf unterscheidet sich bei Bild %1 vom ersten.</translation>
+    </message>
+    <message>
+        <source>This input should be rejected, but it was accepted.</source>
+        <translation>Diese Eingabe sollte abgelehnt werden, wurde aber angenommen.</translation>
+    </message>
+    <message>
+        <source>The run should stop and name the number that is not finite, but it does not.</source>
+        <translation>Der Lauf sollte anhalten und die Zahl nennen, die nicht endlich ist, tut es aber nicht.</translation>
     </message>
 </context>
 <context>
@@ -7946,6 +8012,13 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::Header</name>
+    <message>
+        <source>More menus</source>
+        <translation>Weitere Menüs</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpPage</name>
     <message>
         <source>Keys and mouse</source>
@@ -9408,8 +9481,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Es gibt noch keine Regel.</translation>
     </message>
     <message>
-        <source>No rule acts yet. What you write acts as soon as you pause.</source>
-        <translation>Noch wirkt keine Regel. Was du schreibst, wirkt, sobald du innehältst.</translation>
+        <source>No rule acts yet. Your code acts as soon as you stop typing.</source>
+        <translation>Noch wirkt keine Regel. Dein Code wirkt, sobald du aufhörst zu tippen.</translation>
     </message>
     <message>
         <source>Your rule is switched off.</source>

@@ -800,49 +800,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     </message>
 </context>
 <context>
-    <name>ConditionParserNamesText</name>
-    <message>
-        <source>there is no phase %1; there are %2.</source>
-        <translation>no hay ninguna fase %1; hay %2.</translation>
-    </message>
-    <message>
-        <source>%1 is never %2; it can be %3.</source>
-        <translation>%1 nunca es %2; puede ser %3.</translation>
-    </message>
-    <message>
-        <source>there is no body %1 here; there are %2.</source>
-        <translation>aquí no hay ningún cuerpo %1; hay %2.</translation>
-    </message>
-    <message>
-        <source>%1 has no %2; it has %3.</source>
-        <translation>%1 no tiene %2; tiene %3.</translation>
-    </message>
-    <message>
-        <source>%1 is a body; ask for one of its numbers, as in %1.y (%2).</source>
-        <translation>%1 es un cuerpo; pregunta por uno de sus números, como en %1.y (%2).</translation>
-    </message>
-    <message>
-        <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
-        <translation>aquí no existe %1; hay %2, y números de cuerpos, como en %3.y.</translation>
-    </message>
-    <message>
-        <source>%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.</source>
-        <translation>%1 es un Vec2; pregunta por uno de sus números, %1.x o %1.y.</translation>
-    </message>
-    <message>
-        <source>%1 is a number, without members.</source>
-        <translation>%1 es un número, sin miembros.</translation>
-    </message>
-    <message>
-        <source>distance needs two bodies with a comma between them, as in %1.</source>
-        <translation>distance necesita dos cuerpos con una coma entre ellos, como en %1.</translation>
-    </message>
-    <message>
-        <source>the name of a body is missing here, as in %1.</source>
-        <translation>aquí falta el nombre de un cuerpo, como en %1.</translation>
-    </message>
-</context>
-<context>
     <name>ConditionParserText</name>
     <message>
         <source>this is too long; use at most %1 characters.</source>
@@ -915,6 +872,46 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>a comma can stand only between two bodies, as in distance(%1, %2); write numbers with a point.</source>
         <translation>una coma solo puede estar entre dos cuerpos, como en distance(%1, %2); escribe los números con punto.</translation>
+    </message>
+    <message>
+        <source>there is no phase %1; there are %2.</source>
+        <translation>no hay ninguna fase %1; hay %2.</translation>
+    </message>
+    <message>
+        <source>%1 is never %2; it can be %3.</source>
+        <translation>%1 nunca es %2; puede ser %3.</translation>
+    </message>
+    <message>
+        <source>there is no body %1 here; there are %2.</source>
+        <translation>aquí no hay ningún cuerpo %1; hay %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2; it has %3.</source>
+        <translation>%1 no tiene %2; tiene %3.</translation>
+    </message>
+    <message>
+        <source>%1 is a body; ask for one of its numbers, as in %1.y (%2).</source>
+        <translation>%1 es un cuerpo; pregunta por uno de sus números, como en %1.y (%2).</translation>
+    </message>
+    <message>
+        <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
+        <translation>aquí no existe %1; hay %2, y números de cuerpos, como en %3.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.</source>
+        <translation>%1 es un Vec2; pregunta por uno de sus números, %1.x o %1.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a number, without members.</source>
+        <translation>%1 es un número, sin miembros.</translation>
+    </message>
+    <message>
+        <source>distance needs two bodies with a comma between them, as in %1.</source>
+        <translation>distance necesita dos cuerpos con una coma entre ellos, como en %1.</translation>
+    </message>
+    <message>
+        <source>the name of a body is missing here, as in %1.</source>
+        <translation>aquí falta el nombre de un cuerpo, como en %1.</translation>
     </message>
 </context>
 <context>
@@ -993,10 +990,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 </context>
 <context>
     <name>CostText</name>
-    <message>
-        <source>Frame %1 of %2</source>
-        <translation>Fotograma %1 de %2</translation>
-    </message>
     <message>
         <source>The run does not reach frame %1. %2 Give an earlier frame.</source>
         <translation>La ejecución no llega al fotograma %1. %2 Indica un fotograma anterior.</translation>
@@ -2152,85 +2145,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     </message>
 </context>
 <context>
-    <name>HardCaseText</name>
-    <message>
-        <source>It moves one body after the other, so the pulls between them do not cancel.</source>
-        <translation>Mueve los cuerpos uno tras otro, así que los tirones entre ellos no se anulan.</translation>
-    </message>
-    <message>
-        <source>It looks for the moment when a body leaves the walls, but here a body never leaves them.</source>
-        <translation>Busca el instante en que un cuerpo sale de las paredes, pero aquí ningún cuerpo sale de ellas.</translation>
-    </message>
-    <message>
-        <source>It would need about %1 steps in a frame, but stops after %2.</source>
-        <translation>Necesitaría unos %1 pasos de tiempo en un fotograma, pero se para tras %2.</translation>
-    </message>
-    <message>
-        <source>Without damping, the errors of its steps add up: to %1 px in %2 frames at worst.</source>
-        <translation>Sin amortiguación, los errores de sus pasos de tiempo se acumulan: en el peor caso, %1 px en %2 fotogramas.</translation>
-    </message>
-    <message>
-        <source>Because its steps may have errors of %1 px, it never comes fully to rest: it moves by up to %2 px a frame.</source>
-        <translation>Como sus pasos de tiempo pueden tener errores de %1 px, nunca queda del todo en reposo: se mueve hasta %2 px por fotograma.</translation>
-    </message>
-    <message>
-        <source>With a step of %1, its stiffest spring (stiffness %2) would swing from %3 px to %4 px, and farther.</source>
-        <translation>Con un paso de tiempo de %1, su muelle más rígido (rigidez %2) oscilaría de %3 px a %4 px, y más lejos.</translation>
-    </message>
-    <message>
-        <source>Its sticks are only tested with steps up to %1. With a step of %2, their errors are larger.</source>
-        <translation>Sus barras solo se prueban con pasos de tiempo hasta %1. Con un paso de %2, sus errores son mayores.</translation>
-    </message>
-    <message>
-        <source>With a step of %1, its stiffest spring (stiffness %2) would not stop swinging: of %3 px, %4 px would be left after %5 frames.</source>
-        <translation>Con un paso de tiempo de %1, su muelle más rígido (rigidez %2) no dejaría de oscilar: de %3 px, quedarían %4 px tras %5 fotogramas.</translation>
-    </message>
-    <message>
-        <source>After frame %1, the position of %2 is no longer a finite number: it overflowed in &quot;%3&quot;.</source>
-        <translation>Tras el fotograma %1, la posición de %2 ya no es un número finito: se hizo demasiado grande en «%3».</translation>
-    </message>
-    <message>
-        <source>After frame %1, the method needs more steps for one frame than allowed.</source>
-        <translation>Tras el fotograma %1, el método necesita para un fotograma más pasos de tiempo de los permitidos.</translation>
-    </message>
-    <message>
-        <source>At frame %1, %2 is more than %3 px away.</source>
-        <translation>En el fotograma %1, %2 está a más de %3 px.</translation>
-    </message>
-    <message>
-        <source>At frame %1, the centre of mass has moved %2 px, although nothing pushed it.</source>
-        <translation>En el fotograma %1, el centro de masas se ha movido %2 px, aunque nada lo empujó.</translation>
-    </message>
-    <message>
-        <source>At frame %1, the length of the stick between %2 and %3 is wrong by %4 px, more than the expected %5 px.</source>
-        <translation>En el fotograma %1, la longitud de la barra entre %2 y %3 tiene un error de %4 px, más de los %5 px esperados.</translation>
-    </message>
-    <message>
-        <source>At the end, %1 still moves %2 px a frame.</source>
-        <translation>Al final, %1 aún se mueve %2 px por fotograma.</translation>
-    </message>
-    <message>
-        <source>At the end, %1 is %2 px from where it should rest.</source>
-        <translation>Al final, %1 está a %2 px de donde debería reposar.</translation>
-    </message>
-    <message>
-        <source>At the end, the distance between %1 and %2 is wrong by %3 px.</source>
-        <translation>Al final, la distancia entre %1 y %2 tiene un error de %3 px.</translation>
-    </message>
-    <message>
-        <source>A second run differs from the first one at frame %1.</source>
-        <translation>Una segunda ejecución difiere de la primera en el fotograma %1.</translation>
-    </message>
-    <message>
-        <source>This input should be rejected, but it was accepted.</source>
-        <translation>Esta entrada debería rechazarse, pero se aceptó.</translation>
-    </message>
-    <message>
-        <source>The run should stop and name the number that is not finite, but it does not.</source>
-        <translation>La ejecución debería parar y nombrar el número que no es finito, pero no lo hace.</translation>
-    </message>
-</context>
-<context>
     <name>HardCasesText</name>
     <message>
         <source>There is no case %1; there is %2.</source>
@@ -3166,6 +3080,10 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>antes de la línea %1, ejecutadas %2 de %3 líneas</translation>
     </message>
     <message>
+        <source>before line %1, %2 lines run</source>
+        <translation>antes de la línea %1, ejecutadas %2 líneas</translation>
+    </message>
+    <message>
         <source>line %1</source>
         <translation>línea %1</translation>
     </message>
@@ -3332,6 +3250,18 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Aquí %1 es un %2, no una función.</translation>
     </message>
     <message>
+        <source>This is not a function.</source>
+        <translation>Esto no es una función.</translation>
+    </message>
+    <message>
+        <source>%1 is not a function.</source>
+        <translation>%1 no es una función.</translation>
+    </message>
+    <message>
+        <source>Write it without &apos;()&apos;.</source>
+        <translation>Escríbelo sin &apos;()&apos;.</translation>
+    </message>
+    <message>
         <source>To multiply, write &apos;*&apos;.</source>
         <translation>Para multiplicar, escribe &apos;*&apos;.</translation>
     </message>
@@ -3346,6 +3276,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>Between whole numbers, &apos;/&apos; drops the fraction: this is %1.</source>
         <translation>Entre números enteros, &apos;/&apos; descarta la parte decimal: esto es %1.</translation>
+    </message>
+    <message>
+        <source>Between whole numbers, &apos;/&apos; drops the fraction.</source>
+        <translation>Entre números enteros, &apos;/&apos; descarta la parte decimal.</translation>
     </message>
     <message>
         <source>An &apos;int&apos; keeps no fraction, and this value may have one.</source>
@@ -3408,6 +3342,14 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Esto no se puede cambiar.</translation>
     </message>
     <message>
+        <source>This is a parameter.</source>
+        <translation>Esto es un parámetro.</translation>
+    </message>
+    <message>
+        <source>Set it with its slider.</source>
+        <translation>Ajústalo con su control deslizante.</translation>
+    </message>
+    <message>
         <source>A listing changes positions, velocities and its own variables.</source>
         <translation>Un listado cambia posiciones, velocidades y sus propias variables.</translation>
     </message>
@@ -3426,6 +3368,26 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>A condition is true or false.</source>
         <translation>Una condición es verdadera o falsa.</translation>
+    </message>
+    <message>
+        <source>%1 is a type and has no value.</source>
+        <translation>%1 es un tipo y no tiene valor.</translation>
+    </message>
+    <message>
+        <source>Use its x, its y or its length.</source>
+        <translation>Usa su x, su y o su longitud.</translation>
+    </message>
+    <message>
+        <source>This sign does not work with this value.</source>
+        <translation>Este signo no funciona con este valor.</translation>
+    </message>
+    <message>
+        <source>Only an array has an index in &apos;[...]&apos;.</source>
+        <translation>Solo una lista tiene un índice entre &apos;[...]&apos;.</translation>
+    </message>
+    <message>
+        <source>This computes a value, and nothing keeps it.</source>
+        <translation>Esto calcula un valor y nada lo guarda.</translation>
     </message>
     <message>
         <source>Compare this with something, for example with == or &gt;.</source>
@@ -3492,6 +3454,22 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Esto está fuera de una función.</translation>
     </message>
     <message>
+        <source>No function stands inside another one.</source>
+        <translation>Ninguna función va dentro de otra.</translation>
+    </message>
+    <message>
+        <source>Move it out.</source>
+        <translation>Sácala fuera.</translation>
+    </message>
+    <message>
+        <source>%1 stands only in a loop.</source>
+        <translation>%1 solo va dentro de un bucle.</translation>
+    </message>
+    <message>
+        <source>%1 does not belong here.</source>
+        <translation>%1 no va aquí.</translation>
+    </message>
+    <message>
         <source>Put it between the braces of a function.</source>
         <translation>Ponlo entre las llaves de una función.</translation>
     </message>
@@ -3544,6 +3522,18 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Un comentario empieza por %1.</translation>
     </message>
     <message>
+        <source>A name begins with a letter.</source>
+        <translation>Un nombre empieza por una letra.</translation>
+    </message>
+    <message>
+        <source>A name has only the letters a to z, digits and &apos;_&apos;.</source>
+        <translation>Un nombre solo tiene las letras de la a a la z, cifras y &apos;_&apos;.</translation>
+    </message>
+    <message>
+        <source>A listing prints nothing: its values stand beside its lines.</source>
+        <translation>Un listado no imprime nada: sus valores están junto a sus líneas.</translation>
+    </message>
+    <message>
         <source>A power is %1.</source>
         <translation>Una potencia es %1.</translation>
     </message>
@@ -3564,12 +3554,8 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Las líneas que pertenecen a una condición van entre &apos;{&apos; y &apos;}&apos;.</translation>
     </message>
     <message>
-        <source>No &apos;then&apos; stands here.</source>
-        <translation>Aquí no va ningún &apos;then&apos;.</translation>
-    </message>
-    <message>
-        <source>This &apos;;&apos; ends the &apos;if&apos;, so that nothing belongs to it.</source>
-        <translation>Este &apos;;&apos; termina el &apos;if&apos;, así que no le pertenece nada.</translation>
+        <source>This &apos;;&apos; ends %1, so that nothing belongs to it.</source>
+        <translation>Este &apos;;&apos; termina %1, así que no le pertenece nada.</translation>
     </message>
     <message>
         <source>Delete the &apos;;&apos;.</source>
@@ -3630,6 +3616,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>Write &apos;+=&apos; to add to a value.</source>
         <translation>Escribe &apos;+=&apos; para sumar algo a un valor.</translation>
+    </message>
+    <message>
+        <source>Write &apos;-=&apos; to subtract from a value.</source>
+        <translation>Escribe &apos;-=&apos; para restar de un valor.</translation>
     </message>
     <message>
         <source>Write &apos;.&apos; between a body and its member, for example %1.</source>
@@ -4422,6 +4412,14 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>Whether the feet push the body back. If they do not, they cannot carry it.</source>
         <translation>Si los pies empujan el cuerpo de vuelta. Si no, no pueden llevarlo.</translation>
     </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>The gait group: its feet share one clock.</source>
+        <translation>El grupo de marcha: sus pies comparten un reloj.</translation>
+    </message>
 </context>
 <context>
     <name>PullCardText</name>
@@ -4810,14 +4808,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Pie de %1</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>Grupo</translation>
-    </message>
-    <message>
-        <source>The gait group: its feet share one clock.</source>
-        <translation>El grupo de marcha: sus pies comparten un reloj.</translation>
-    </message>
-    <message>
         <source>Gait group %1</source>
         <translation>Grupo de marcha %1</translation>
     </message>
@@ -5047,6 +5037,82 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>It began in “%1”.</source>
         <translation>Empezó en «%1».</translation>
+    </message>
+    <message>
+        <source>It moves one body after the other, so the pulls between them do not cancel.</source>
+        <translation>Mueve los cuerpos uno tras otro, así que los tirones entre ellos no se anulan.</translation>
+    </message>
+    <message>
+        <source>It looks for the moment when a body leaves the walls, but here a body never leaves them.</source>
+        <translation>Busca el instante en que un cuerpo sale de las paredes, pero aquí ningún cuerpo sale de ellas.</translation>
+    </message>
+    <message>
+        <source>It would need about %1 steps in a frame, but stops after %2.</source>
+        <translation>Necesitaría unos %1 pasos de tiempo en un fotograma, pero se para tras %2.</translation>
+    </message>
+    <message>
+        <source>Without damping, the errors of its steps add up: to %1 px in %2 frames at worst.</source>
+        <translation>Sin amortiguación, los errores de sus pasos de tiempo se acumulan: en el peor caso, %1 px en %2 fotogramas.</translation>
+    </message>
+    <message>
+        <source>Because its steps may have errors of %1 px, it never comes fully to rest: it moves by up to %2 px a frame.</source>
+        <translation>Como sus pasos de tiempo pueden tener errores de %1 px, nunca queda del todo en reposo: se mueve hasta %2 px por fotograma.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would swing from %3 px to %4 px, and farther.</source>
+        <translation>Con un paso de tiempo de %1, su muelle más rígido (rigidez %2) oscilaría de %3 px a %4 px, y más lejos.</translation>
+    </message>
+    <message>
+        <source>Its sticks are only tested with steps up to %1. With a step of %2, their errors are larger.</source>
+        <translation>Sus barras solo se prueban con pasos de tiempo hasta %1. Con un paso de %2, sus errores son mayores.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would not stop swinging: of %3 px, %4 px would be left after %5 frames.</source>
+        <translation>Con un paso de tiempo de %1, su muelle más rígido (rigidez %2) no dejaría de oscilar: de %3 px, quedarían %4 px tras %5 fotogramas.</translation>
+    </message>
+    <message>
+        <source>After frame %1, the position of %2 is no longer a finite number: it overflowed in &quot;%3&quot;.</source>
+        <translation>Tras el fotograma %1, la posición de %2 ya no es un número finito: se hizo demasiado grande en «%3».</translation>
+    </message>
+    <message>
+        <source>After frame %1, the method needs more steps for one frame than allowed.</source>
+        <translation>Tras el fotograma %1, el método necesita para un fotograma más pasos de tiempo de los permitidos.</translation>
+    </message>
+    <message>
+        <source>At frame %1, %2 is more than %3 px away.</source>
+        <translation>En el fotograma %1, %2 está a más de %3 px.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the centre of mass has moved %2 px, although nothing pushed it.</source>
+        <translation>En el fotograma %1, el centro de masas se ha movido %2 px, aunque nada lo empujó.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the length of the stick between %2 and %3 is wrong by %4 px, more than the expected %5 px.</source>
+        <translation>En el fotograma %1, la longitud de la barra entre %2 y %3 tiene un error de %4 px, más de los %5 px esperados.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 still moves %2 px a frame.</source>
+        <translation>Al final, %1 aún se mueve %2 px por fotograma.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 is %2 px from where it should rest.</source>
+        <translation>Al final, %1 está a %2 px de donde debería reposar.</translation>
+    </message>
+    <message>
+        <source>At the end, the distance between %1 and %2 is wrong by %3 px.</source>
+        <translation>Al final, la distancia entre %1 y %2 tiene un error de %3 px.</translation>
+    </message>
+    <message>
+        <source>A second run differs from the first one at frame %1.</source>
+        <translation>Una segunda ejecución difiere de la primera en el fotograma %1.</translation>
+    </message>
+    <message>
+        <source>This input should be rejected, but it was accepted.</source>
+        <translation>Esta entrada debería rechazarse, pero se aceptó.</translation>
+    </message>
+    <message>
+        <source>The run should stop and name the number that is not finite, but it does not.</source>
+        <translation>La ejecución debería parar y nombrar el número que no es finito, pero no lo hace.</translation>
     </message>
 </context>
 <context>
@@ -7946,6 +8012,13 @@ Haz clic para plegar o desplegar (Intro)</translation>
     </message>
 </context>
 <context>
+    <name>app::Header</name>
+    <message>
+        <source>More menus</source>
+        <translation>Más menús</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpPage</name>
     <message>
         <source>Keys and mouse</source>
@@ -9408,8 +9481,8 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Aún no hay ninguna regla.</translation>
     </message>
     <message>
-        <source>No rule acts yet. What you write acts as soon as you pause.</source>
-        <translation>Aún no actúa ninguna regla. Lo que escribes actúa en cuanto haces una pausa.</translation>
+        <source>No rule acts yet. Your code acts as soon as you stop typing.</source>
+        <translation>Aún no actúa ninguna regla. Tu código actúa en cuanto dejas de escribir.</translation>
     </message>
     <message>
         <source>Your rule is switched off.</source>

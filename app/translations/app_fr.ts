@@ -800,49 +800,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     </message>
 </context>
 <context>
-    <name>ConditionParserNamesText</name>
-    <message>
-        <source>there is no phase %1; there are %2.</source>
-        <translation>il n’y a pas de phase %1&#x202f;; il y a %2.</translation>
-    </message>
-    <message>
-        <source>%1 is never %2; it can be %3.</source>
-        <translation>%1 n’est jamais %2&#x202f;; possible&#xa0;: %3.</translation>
-    </message>
-    <message>
-        <source>there is no body %1 here; there are %2.</source>
-        <translation>il n’y a pas de corps %1 ici&#x202f;; il y a %2.</translation>
-    </message>
-    <message>
-        <source>%1 has no %2; it has %3.</source>
-        <translation>%1 n’a pas de %2&#x202f;; il y a %3.</translation>
-    </message>
-    <message>
-        <source>%1 is a body; ask for one of its numbers, as in %1.y (%2).</source>
-        <translation>%1 est un corps&#x202f;; demande l’un de ses nombres, comme dans %1.y (%2).</translation>
-    </message>
-    <message>
-        <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
-        <translation>il n’y a pas de %1 ici&#x202f;; il y a %2, et des nombres de corps, comme dans %3.y.</translation>
-    </message>
-    <message>
-        <source>%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.</source>
-        <translation>%1 est un Vec2&#x202f;; demande l’un de ses nombres, %1.x ou %1.y.</translation>
-    </message>
-    <message>
-        <source>%1 is a number, without members.</source>
-        <translation>%1 est un nombre, sans membres.</translation>
-    </message>
-    <message>
-        <source>distance needs two bodies with a comma between them, as in %1.</source>
-        <translation>distance a besoin de deux corps séparés par une virgule, comme dans %1.</translation>
-    </message>
-    <message>
-        <source>the name of a body is missing here, as in %1.</source>
-        <translation>il manque ici le nom d’un corps, comme dans %1.</translation>
-    </message>
-</context>
-<context>
     <name>ConditionParserText</name>
     <message>
         <source>this is too long; use at most %1 characters.</source>
@@ -915,6 +872,46 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>a comma can stand only between two bodies, as in distance(%1, %2); write numbers with a point.</source>
         <translation>une virgule ne va qu’entre deux corps, comme dans distance(%1, %2)&#x202f;; écris les nombres avec un point.</translation>
+    </message>
+    <message>
+        <source>there is no phase %1; there are %2.</source>
+        <translation>il n’y a pas de phase %1&#x202f;; il y a %2.</translation>
+    </message>
+    <message>
+        <source>%1 is never %2; it can be %3.</source>
+        <translation>%1 n’est jamais %2&#x202f;; possible&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>there is no body %1 here; there are %2.</source>
+        <translation>il n’y a pas de corps %1 ici&#x202f;; il y a %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2; it has %3.</source>
+        <translation>%1 n’a pas de %2&#x202f;; il y a %3.</translation>
+    </message>
+    <message>
+        <source>%1 is a body; ask for one of its numbers, as in %1.y (%2).</source>
+        <translation>%1 est un corps&#x202f;; demande l’un de ses nombres, comme dans %1.y (%2).</translation>
+    </message>
+    <message>
+        <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
+        <translation>il n’y a pas de %1 ici&#x202f;; il y a %2, et des nombres de corps, comme dans %3.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.</source>
+        <translation>%1 est un Vec2&#x202f;; demande l’un de ses nombres, %1.x ou %1.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a number, without members.</source>
+        <translation>%1 est un nombre, sans membres.</translation>
+    </message>
+    <message>
+        <source>distance needs two bodies with a comma between them, as in %1.</source>
+        <translation>distance a besoin de deux corps séparés par une virgule, comme dans %1.</translation>
+    </message>
+    <message>
+        <source>the name of a body is missing here, as in %1.</source>
+        <translation>il manque ici le nom d’un corps, comme dans %1.</translation>
     </message>
 </context>
 <context>
@@ -993,10 +990,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 </context>
 <context>
     <name>CostText</name>
-    <message>
-        <source>Frame %1 of %2</source>
-        <translation>Image %1 sur %2</translation>
-    </message>
     <message>
         <source>The run does not reach frame %1. %2 Give an earlier frame.</source>
         <translation>La simulation n’atteint pas l’image %1. %2 Donne une image antérieure.</translation>
@@ -2152,85 +2145,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     </message>
 </context>
 <context>
-    <name>HardCaseText</name>
-    <message>
-        <source>It moves one body after the other, so the pulls between them do not cancel.</source>
-        <translation>Elle déplace les corps l’un après l’autre, donc les tractions entre eux ne se compensent pas.</translation>
-    </message>
-    <message>
-        <source>It looks for the moment when a body leaves the walls, but here a body never leaves them.</source>
-        <translation>Elle cherche le moment où un corps quitte les murs, mais ici un corps ne les quitte jamais.</translation>
-    </message>
-    <message>
-        <source>It would need about %1 steps in a frame, but stops after %2.</source>
-        <translation>Il lui faudrait environ %1 pas de temps par image, mais elle s’arrête après %2.</translation>
-    </message>
-    <message>
-        <source>Without damping, the errors of its steps add up: to %1 px in %2 frames at worst.</source>
-        <translation>Sans amortissement, les erreurs de ses pas de temps s’accumulent&#xa0;: au pire, jusqu’à %1 px en %2 images.</translation>
-    </message>
-    <message>
-        <source>Because its steps may have errors of %1 px, it never comes fully to rest: it moves by up to %2 px a frame.</source>
-        <translation>Comme ses pas de temps peuvent avoir des erreurs de %1 px, elle ne s’immobilise jamais tout à fait&#xa0;: elle bouge d’au plus %2 px par image.</translation>
-    </message>
-    <message>
-        <source>With a step of %1, its stiffest spring (stiffness %2) would swing from %3 px to %4 px, and farther.</source>
-        <translation>Avec un pas de temps de %1, son ressort le plus raide (raideur %2) oscillerait de %3 px jusqu’à %4 px, et plus loin.</translation>
-    </message>
-    <message>
-        <source>Its sticks are only tested with steps up to %1. With a step of %2, their errors are larger.</source>
-        <translation>Ses tiges ne sont testées qu’avec des pas de temps jusqu’à %1. Avec un pas de temps de %2, leurs erreurs sont plus grandes.</translation>
-    </message>
-    <message>
-        <source>With a step of %1, its stiffest spring (stiffness %2) would not stop swinging: of %3 px, %4 px would be left after %5 frames.</source>
-        <translation>Avec un pas de temps de %1, son ressort le plus raide (raideur %2) ne cesserait pas d’osciller&#xa0;: sur %3 px, il resterait %4 px après %5 images.</translation>
-    </message>
-    <message>
-        <source>After frame %1, the position of %2 is no longer a finite number: it overflowed in &quot;%3&quot;.</source>
-        <translation>Après l’image %1, la position de %2 n’est plus un nombre fini&#xa0;: elle est devenue trop grande dans «&#x202f;%3&#x202f;».</translation>
-    </message>
-    <message>
-        <source>After frame %1, the method needs more steps for one frame than allowed.</source>
-        <translation>Après l’image %1, il faut à la méthode plus de pas de temps pour une image que ce qui est permis.</translation>
-    </message>
-    <message>
-        <source>At frame %1, %2 is more than %3 px away.</source>
-        <translation>À l’image %1, «&#x202f;%2&#x202f;» est à plus de %3 px.</translation>
-    </message>
-    <message>
-        <source>At frame %1, the centre of mass has moved %2 px, although nothing pushed it.</source>
-        <translation>À l’image %1, le centre de masse s’est déplacé de %2 px, alors que rien ne l’a poussé.</translation>
-    </message>
-    <message>
-        <source>At frame %1, the length of the stick between %2 and %3 is wrong by %4 px, more than the expected %5 px.</source>
-        <translation>À l’image %1, la longueur de la tige entre %2 et %3 est fausse de %4 px, plus que les %5 px attendus.</translation>
-    </message>
-    <message>
-        <source>At the end, %1 still moves %2 px a frame.</source>
-        <translation>À la fin, %1 bouge encore de %2 px par image.</translation>
-    </message>
-    <message>
-        <source>At the end, %1 is %2 px from where it should rest.</source>
-        <translation>À la fin, «&#x202f;%1&#x202f;» est à %2 px de l’endroit où il devrait reposer.</translation>
-    </message>
-    <message>
-        <source>At the end, the distance between %1 and %2 is wrong by %3 px.</source>
-        <translation>À la fin, la distance entre %1 et %2 est fausse de %3 px.</translation>
-    </message>
-    <message>
-        <source>A second run differs from the first one at frame %1.</source>
-        <translation>Une deuxième simulation diffère de la première à l’image %1.</translation>
-    </message>
-    <message>
-        <source>This input should be rejected, but it was accepted.</source>
-        <translation>Cette entrée devrait être refusée, mais elle a été acceptée.</translation>
-    </message>
-    <message>
-        <source>The run should stop and name the number that is not finite, but it does not.</source>
-        <translation>La simulation devrait s’arrêter et nommer le nombre qui n’est pas fini, mais elle ne le fait pas.</translation>
-    </message>
-</context>
-<context>
     <name>HardCasesText</name>
     <message>
         <source>There is no case %1; there is %2.</source>
@@ -3166,6 +3080,10 @@ Un mot que le texte utilise, en une phrase.
         <translation>avant la ligne %1, %2 lignes exécutées sur %3</translation>
     </message>
     <message>
+        <source>before line %1, %2 lines run</source>
+        <translation>avant la ligne %1, %2 lignes exécutées</translation>
+    </message>
+    <message>
         <source>line %1</source>
         <translation>ligne %1</translation>
     </message>
@@ -3332,6 +3250,18 @@ Un mot que le texte utilise, en une phrase.
         <translation>%1 est ici un %2, pas une fonction.</translation>
     </message>
     <message>
+        <source>This is not a function.</source>
+        <translation>Ce n’est pas une fonction.</translation>
+    </message>
+    <message>
+        <source>%1 is not a function.</source>
+        <translation>%1 n’est pas une fonction.</translation>
+    </message>
+    <message>
+        <source>Write it without &apos;()&apos;.</source>
+        <translation>Écris-le sans &apos;()&apos;.</translation>
+    </message>
+    <message>
         <source>To multiply, write &apos;*&apos;.</source>
         <translation>Pour multiplier, écris &apos;*&apos;.</translation>
     </message>
@@ -3346,6 +3276,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>Between whole numbers, &apos;/&apos; drops the fraction: this is %1.</source>
         <translation>Entre nombres entiers, &apos;/&apos; supprime les décimales&#xa0;: cela fait %1.</translation>
+    </message>
+    <message>
+        <source>Between whole numbers, &apos;/&apos; drops the fraction.</source>
+        <translation>Entre nombres entiers, &apos;/&apos; supprime les décimales.</translation>
     </message>
     <message>
         <source>An &apos;int&apos; keeps no fraction, and this value may have one.</source>
@@ -3408,6 +3342,14 @@ Un mot que le texte utilise, en une phrase.
         <translation>Cela ne peut pas être changé.</translation>
     </message>
     <message>
+        <source>This is a parameter.</source>
+        <translation>C’est un paramètre.</translation>
+    </message>
+    <message>
+        <source>Set it with its slider.</source>
+        <translation>Règle-le avec son curseur.</translation>
+    </message>
+    <message>
         <source>A listing changes positions, velocities and its own variables.</source>
         <translation>Un listing change des positions, des vitesses et ses propres variables.</translation>
     </message>
@@ -3426,6 +3368,26 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>A condition is true or false.</source>
         <translation>Une condition est vraie ou fausse.</translation>
+    </message>
+    <message>
+        <source>%1 is a type and has no value.</source>
+        <translation>%1 est un type et n’a pas de valeur.</translation>
+    </message>
+    <message>
+        <source>Use its x, its y or its length.</source>
+        <translation>Utilise son x, son y ou sa longueur.</translation>
+    </message>
+    <message>
+        <source>This sign does not work with this value.</source>
+        <translation>Ce signe ne marche pas avec cette valeur.</translation>
+    </message>
+    <message>
+        <source>Only an array has an index in &apos;[...]&apos;.</source>
+        <translation>Seule une liste a un indice entre &apos;[...]&apos;.</translation>
+    </message>
+    <message>
+        <source>This computes a value, and nothing keeps it.</source>
+        <translation>Ceci calcule une valeur que rien ne garde.</translation>
     </message>
     <message>
         <source>Compare this with something, for example with == or &gt;.</source>
@@ -3492,6 +3454,22 @@ Un mot que le texte utilise, en une phrase.
         <translation>Ceci est hors d’une fonction.</translation>
     </message>
     <message>
+        <source>No function stands inside another one.</source>
+        <translation>Aucune fonction ne se trouve dans une autre.</translation>
+    </message>
+    <message>
+        <source>Move it out.</source>
+        <translation>Place-la à l’extérieur.</translation>
+    </message>
+    <message>
+        <source>%1 stands only in a loop.</source>
+        <translation>%1 ne se trouve que dans une boucle.</translation>
+    </message>
+    <message>
+        <source>%1 does not belong here.</source>
+        <translation>%1 n’a pas sa place ici.</translation>
+    </message>
+    <message>
         <source>Put it between the braces of a function.</source>
         <translation>Mets-le entre les accolades d’une fonction.</translation>
     </message>
@@ -3544,6 +3522,18 @@ Un mot que le texte utilise, en une phrase.
         <translation>Un commentaire commence par %1.</translation>
     </message>
     <message>
+        <source>A name begins with a letter.</source>
+        <translation>Un nom commence par une lettre.</translation>
+    </message>
+    <message>
+        <source>A name has only the letters a to z, digits and &apos;_&apos;.</source>
+        <translation>Un nom n’a que les lettres de a à z, des chiffres et &apos;_&apos;.</translation>
+    </message>
+    <message>
+        <source>A listing prints nothing: its values stand beside its lines.</source>
+        <translation>Un listing n’affiche rien&#xa0;: ses valeurs sont à côté de ses lignes.</translation>
+    </message>
+    <message>
         <source>A power is %1.</source>
         <translation>Une puissance est %1.</translation>
     </message>
@@ -3564,12 +3554,8 @@ Un mot que le texte utilise, en une phrase.
         <translation>Les lignes qui dépendent d’une condition sont entre &apos;{&apos; et &apos;}&apos;.</translation>
     </message>
     <message>
-        <source>No &apos;then&apos; stands here.</source>
-        <translation>Il ne faut pas de &apos;then&apos; ici.</translation>
-    </message>
-    <message>
-        <source>This &apos;;&apos; ends the &apos;if&apos;, so that nothing belongs to it.</source>
-        <translation>Ce &apos;;&apos; termine le &apos;if&apos;, donc rien n’en dépend.</translation>
+        <source>This &apos;;&apos; ends %1, so that nothing belongs to it.</source>
+        <translation>Ce &apos;;&apos; termine %1, donc rien n’en dépend.</translation>
     </message>
     <message>
         <source>Delete the &apos;;&apos;.</source>
@@ -3630,6 +3616,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>Write &apos;+=&apos; to add to a value.</source>
         <translation>Écris &apos;+=&apos; pour ajouter à une valeur.</translation>
+    </message>
+    <message>
+        <source>Write &apos;-=&apos; to subtract from a value.</source>
+        <translation>Écris &apos;-=&apos; pour soustraire d’une valeur.</translation>
     </message>
     <message>
         <source>Write &apos;.&apos; between a body and its member, for example %1.</source>
@@ -4422,6 +4412,14 @@ Un mot que le texte utilise, en une phrase.
         <source>Whether the feet push the body back. If they do not, they cannot carry it.</source>
         <translation>Si les pieds repoussent le corps. Sinon, ils ne peuvent pas le porter.</translation>
     </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>The gait group: its feet share one clock.</source>
+        <translation>Le groupe d’allure&#xa0;: ses pieds partagent une horloge.</translation>
+    </message>
 </context>
 <context>
     <name>PullCardText</name>
@@ -4810,14 +4808,6 @@ Un mot que le texte utilise, en une phrase.
         <translation>Pied de %1</translation>
     </message>
     <message>
-        <source>Group</source>
-        <translation>Groupe</translation>
-    </message>
-    <message>
-        <source>The gait group: its feet share one clock.</source>
-        <translation>Le groupe d’allure&#xa0;: ses pieds partagent une horloge.</translation>
-    </message>
-    <message>
         <source>Gait group %1</source>
         <translation>Groupe d’allure %1</translation>
     </message>
@@ -5047,6 +5037,82 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>It began in “%1”.</source>
         <translation>Cela a commencé dans «&#x202f;%1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>It moves one body after the other, so the pulls between them do not cancel.</source>
+        <translation>Elle déplace les corps l’un après l’autre, donc les tractions entre eux ne se compensent pas.</translation>
+    </message>
+    <message>
+        <source>It looks for the moment when a body leaves the walls, but here a body never leaves them.</source>
+        <translation>Elle cherche le moment où un corps quitte les murs, mais ici un corps ne les quitte jamais.</translation>
+    </message>
+    <message>
+        <source>It would need about %1 steps in a frame, but stops after %2.</source>
+        <translation>Il lui faudrait environ %1 pas de temps par image, mais elle s’arrête après %2.</translation>
+    </message>
+    <message>
+        <source>Without damping, the errors of its steps add up: to %1 px in %2 frames at worst.</source>
+        <translation>Sans amortissement, les erreurs de ses pas de temps s’accumulent&#xa0;: au pire, jusqu’à %1 px en %2 images.</translation>
+    </message>
+    <message>
+        <source>Because its steps may have errors of %1 px, it never comes fully to rest: it moves by up to %2 px a frame.</source>
+        <translation>Comme ses pas de temps peuvent avoir des erreurs de %1 px, elle ne s’immobilise jamais tout à fait&#xa0;: elle bouge d’au plus %2 px par image.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would swing from %3 px to %4 px, and farther.</source>
+        <translation>Avec un pas de temps de %1, son ressort le plus raide (raideur %2) oscillerait de %3 px jusqu’à %4 px, et plus loin.</translation>
+    </message>
+    <message>
+        <source>Its sticks are only tested with steps up to %1. With a step of %2, their errors are larger.</source>
+        <translation>Ses tiges ne sont testées qu’avec des pas de temps jusqu’à %1. Avec un pas de temps de %2, leurs erreurs sont plus grandes.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would not stop swinging: of %3 px, %4 px would be left after %5 frames.</source>
+        <translation>Avec un pas de temps de %1, son ressort le plus raide (raideur %2) ne cesserait pas d’osciller&#xa0;: sur %3 px, il resterait %4 px après %5 images.</translation>
+    </message>
+    <message>
+        <source>After frame %1, the position of %2 is no longer a finite number: it overflowed in &quot;%3&quot;.</source>
+        <translation>Après l’image %1, la position de %2 n’est plus un nombre fini&#xa0;: elle est devenue trop grande dans «&#x202f;%3&#x202f;».</translation>
+    </message>
+    <message>
+        <source>After frame %1, the method needs more steps for one frame than allowed.</source>
+        <translation>Après l’image %1, il faut à la méthode plus de pas de temps pour une image que ce qui est permis.</translation>
+    </message>
+    <message>
+        <source>At frame %1, %2 is more than %3 px away.</source>
+        <translation>À l’image %1, «&#x202f;%2&#x202f;» est à plus de %3 px.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the centre of mass has moved %2 px, although nothing pushed it.</source>
+        <translation>À l’image %1, le centre de masse s’est déplacé de %2 px, alors que rien ne l’a poussé.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the length of the stick between %2 and %3 is wrong by %4 px, more than the expected %5 px.</source>
+        <translation>À l’image %1, la longueur de la tige entre %2 et %3 est fausse de %4 px, plus que les %5 px attendus.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 still moves %2 px a frame.</source>
+        <translation>À la fin, %1 bouge encore de %2 px par image.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 is %2 px from where it should rest.</source>
+        <translation>À la fin, «&#x202f;%1&#x202f;» est à %2 px de l’endroit où il devrait reposer.</translation>
+    </message>
+    <message>
+        <source>At the end, the distance between %1 and %2 is wrong by %3 px.</source>
+        <translation>À la fin, la distance entre %1 et %2 est fausse de %3 px.</translation>
+    </message>
+    <message>
+        <source>A second run differs from the first one at frame %1.</source>
+        <translation>Une deuxième simulation diffère de la première à l’image %1.</translation>
+    </message>
+    <message>
+        <source>This input should be rejected, but it was accepted.</source>
+        <translation>Cette entrée devrait être refusée, mais elle a été acceptée.</translation>
+    </message>
+    <message>
+        <source>The run should stop and name the number that is not finite, but it does not.</source>
+        <translation>La simulation devrait s’arrêter et nommer le nombre qui n’est pas fini, mais elle ne le fait pas.</translation>
     </message>
 </context>
 <context>
@@ -7946,6 +8012,13 @@ Clique pour replier ou déplier (Entrée)</translation>
     </message>
 </context>
 <context>
+    <name>app::Header</name>
+    <message>
+        <source>More menus</source>
+        <translation>Autres menus</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpPage</name>
     <message>
         <source>Keys and mouse</source>
@@ -9408,8 +9481,8 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Il n’y a pas encore de règle.</translation>
     </message>
     <message>
-        <source>No rule acts yet. What you write acts as soon as you pause.</source>
-        <translation>Aucune règle n’agit encore. Ce que tu écris agit dès que tu fais une pause.</translation>
+        <source>No rule acts yet. Your code acts as soon as you stop typing.</source>
+        <translation>Aucune règle n’agit encore. Ton code agit dès que tu arrêtes d’écrire.</translation>
     </message>
     <message>
         <source>Your rule is switched off.</source>

@@ -74,12 +74,20 @@ void RunCommands::connectToSession()
 
 void RunCommands::setStepBy(StepBy stepBy)
 {
-    if (stepBy == m_stepBy)
-        return;
-    m_stepBy = stepBy;
-    nameSteps();
+    m_pageSteps = stepBy;
     follow();
-    emit stepByChanged(stepBy);
+}
+
+void RunCommands::followStepBy()
+{
+    // A run that stands inside a frame, after a phase, has no next line.
+    const bool isAfterPhase = m_session.timeline().cursor().phase > 0;
+    const StepBy now = isAfterPhase ? StepBy::phases : m_pageSteps;
+    if (now == m_stepBy)
+        return;
+    m_stepBy = now;
+    nameSteps();
+    emit stepByChanged(now);
 }
 
 void RunCommands::nameSteps()
@@ -118,6 +126,7 @@ QString RunCommands::whyNoFuture() const
 
 void RunCommands::follow()
 {
+    followStepBy();
     const bool isInside = m_session.timeline().cursor().phase > 0 || m_session.lines().index() > 0;
     const QString noPast = whyNoPast();
     const QString noFuture = whyNoFuture();

@@ -44,7 +44,8 @@ public:
     Command *const nextStep;
     Command *const previousStep;
 
-    /// Sets what phaseForward and phaseBack run.
+    /// Sets what phaseForward and phaseBack run on the page of the code that is shown. Inside a frame, after a phase,
+    /// they go by phases on every page.
     void setStepBy(StepBy stepBy);
     StepBy stepBy() const { return m_stepBy; }
 
@@ -55,6 +56,7 @@ private:
     void connectToSession();
     void step(bool forward);
     void follow();
+    void followStepBy();
     void followLines(const QString &whyNoFuture);
     void nameSteps();
     void followPlay(const QString &whyNot);
@@ -66,6 +68,7 @@ private:
     QString whyNoFuture() const;
 
     Session &m_session;
+    StepBy m_pageSteps = StepBy::phases;
     StepBy m_stepBy = StepBy::phases;
 };
 

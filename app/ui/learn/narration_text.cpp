@@ -3,9 +3,11 @@
 #include "app/model/text/glossary.h"
 #include "app/ui/learn/prose.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QDesktopServices>
 #include <QMimeData>
 #include <QResizeEvent>
+#include <QSignalBlocker>
 
 namespace app {
 
@@ -18,9 +20,7 @@ NarrationText::NarrationText(const Theme &theme, QWidget *parent, Kind kind)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     // Not a fixed height: the size hint is still that of the previous width, and a layout centres a widget
     // with a maximum height.
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     connect(this, &QTextBrowser::anchorClicked, this, &NarrationText::follow);
     connect(document(), &QTextDocument::contentsChanged, this, [this] { m_heights.forget(); });
     connect(&theme, &Theme::changed, this, &NarrationText::applyTheme);
@@ -82,6 +82,8 @@ QMimeData *NarrationText::createMimeDataFromSelection() const
 int NarrationText::heightForWidth(int width) const
 {
     QTextDocument *text = document();
+    // Told of another size, QTextEdit lays the text out for its own width: 100 px before it is first shown.
+    const QSignalBlocker unheard(text->documentLayout());
     const qreal was = text->textWidth();
     const int height = m_heights.at(width, *text);
     if (isVisible())

@@ -20,6 +20,9 @@ QString progressOf(const LineStepper &lines)
 {
     if (lines.index() == 0)
         return {};
+    if (const auto frame = lines.nextFrame();
+        frame && !frame->isComplete()) // it has more lines than are counted
+        return LinePositionText::tr("before line %1, %2 lines run").arg(lines.nextLine()).arg(lines.index());
     return LinePositionText::tr("before line %1, %2 of %3 lines run")
         .arg(lines.nextLine())
         .arg(lines.index())

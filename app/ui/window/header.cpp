@@ -2,6 +2,7 @@
 
 #include "app/ui/actions/command_button.h"
 #include "app/ui/actions/commands.h"
+#include "app/ui/theme/icon_button.h"
 #include "app/ui/theme/icons.h"
 
 #include <QFrame>
@@ -11,6 +12,12 @@
 #include <QToolButton>
 
 namespace app {
+
+namespace {
+
+constexpr int leastMenus = 16; ///< px, of the button for the menus that do not fit
+
+}
 
 Header::Header(QMenuBar *menus, const Commands &commands, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_theme(theme)
@@ -26,6 +33,7 @@ Header::Header(QMenuBar *menus, const Commands &commands, const Theme &theme, QW
     row->setSpacing(4);
     row->addWidget(logo);
     row->addWidget(menus, 1, Qt::AlignVCenter);
+    letGiveWay(*menus);
     addButton(*row, *commands.edit.undo);
     addButton(*row, *commands.edit.redo);
     row->addSpacing(4);
@@ -42,12 +50,20 @@ void Header::drawLogo(QLabel &logo)
     logo.setPixmap(sign.pixmap(QSize(20, 20), devicePixelRatioF()));
 }
 
+void Header::letGiveWay(QMenuBar &menus)
+{
+    menus.setMinimumWidth(leastMenus);
+    if (auto *more = menus.findChild<QToolButton *>("qt_menubar_ext_button")) {
+        more->setIconSize({12, 12});
+        more->setToolTip(tr("More menus"));
+        more->setAccessibleName(more->toolTip());
+        showIcon(*more, "more", m_theme);
+    }
+}
+
 void Header::addButton(QHBoxLayout &row, Command &command)
 {
-    auto *button = new QToolButton;
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setIconSize({16, 16});
-    button->setFixedSize(28, 28);
+    QToolButton *button = makeIconButton({}, {}, m_theme, this);
     showCommand(*button, command, m_theme);
     row.addWidget(button);
 }

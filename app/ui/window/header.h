@@ -25,6 +25,8 @@ public:
 private:
     void drawLogo(QLabel &logo);
     void addButton(QHBoxLayout &row, Command &command);
+    /// Lets the menus shrink in a narrow window, down to a button for those that do not fit.
+    void letGiveWay(QMenuBar &menus);
     /// Returns the buttons that choose a mode.
     QWidget *modeSwitch(const Commands &commands);
 

@@ -1,6 +1,7 @@
 // Line by line through a frame, forwards and back.
 
 #include "app/listing/limits.h"
+#include "app/ui/time/line_position.h"
 #include "tests/app/listing/code_session.h"
 #include "tests/suite.h"
 
@@ -287,6 +288,18 @@ private slots:
         QCOMPARE(valuesOf(opened).message,
                  QString("Line %1 of your code: This divides by 0.").arg(opened.lineOf("1 / zero")));
         QVERIFY(!chipAt(opened, "Vec2 target").text.isEmpty()); // the values that led there
+    }
+
+    void linesThatAreNotCountedAreNotPromised()
+    {
+        Opened opened("single_spring", "radial");
+        opened.session.code().write("void frame()\n{\n    while (true)\n        foot.velocity *= damp;\n}\n");
+        opened.session.lines().goTo(3);
+        QCOMPARE(progressOf(opened.session.lines()), QString("before line 4, 3 lines run"));
+        opened.session.code().write(
+            "void frame()\n{\n    foot.velocity *= damp;\n    foot.velocity *= damp;\n}\n");
+        opened.session.lines().goTo(1);
+        QCOMPARE(progressOf(opened.session.lines()), QString("before line 4, 1 of 3 lines run"));
     }
 
     void playingStopsBeforeTheLineWithTheMistake_data()

@@ -96,6 +96,7 @@ private slots:
     void aButtonAboveTheThingsToTryLeadsToTheTask();
     void theLearnerTypesBelowTheComment_data();
     void theLearnerTypesBelowTheComment();
+    void theCommentOfATaskIsInSight();
     void thePanelShowsWhatIsWrongAndThenTheTick();
     void theStepIsTickedInTheListOfLessons();
     void theButtonsOfATaskStayInView_data();
@@ -195,6 +196,23 @@ void TaskBoxTest::theLearnerTypesBelowTheComment()
     QVERIFY(shown.session.code().program());
 }
 
+void TaskBoxTest::theCommentOfATaskIsInSight()
+{
+    listing_window::ListingFixture shown("swaying_tree", "towards_pointer");
+    const lessons::CodeTask &task = shown.session.step().codeTasks.front();
+    QTest::keyClick(&shown.editor, Qt::Key_End, Qt::ControlModifier); // the task is above what is in view
+    settle();
+    TaskBox &box = *shown.part<Narration>().findChildren<TaskBox *>().front();
+    QTest::mouseClick(box.findChild<WhyButton *>(), Qt::LeftButton);
+    settle();
+    QTest::mouseClick(box.findChild<QToolButton *>("startTask"), Qt::LeftButton);
+    settle();
+    const int line = shown.session.step().listing.lineToWrite(task);
+    QVERIFY(shown.editor.text(line - 2).contains("//"));
+    QVERIFY(shown.editor.viewport()->rect().contains(shown.editor.lineRect(line)));
+    QVERIFY(shown.editor.viewport()->rect().contains(shown.editor.lineRect(line - 1)));
+}
+
 void TaskBoxTest::thePanelShowsWhatIsWrongAndThenTheTick()
 {
     TaskPanelFixture world;
@@ -290,10 +308,11 @@ void TaskBoxTest::whatNeedsAPhaseSaysHowToGetOne()
 {
     listing_window::ListingFixture shown("rigid_constraint", "pair");
     shown.window.findChild<LearnPanel *>()->setForm(LearnPanel::Form::whole);
-    shown.type("share_of_a = 1;", "1", "2"); // as after a task: the learner's code computes the run
-    QCOMPARE(shown.session.timeline().script().method->id(), std::string("listing"));
     const TryBox &beforeStick = *shown.part<Narration>().findChildren<TryBox *>()[1];
     const auto &todo = *beforeStick.findChild<NarrationText *>("todoText");
+    QVERIFY(todo.isHidden());                // the step's own method has phases
+    shown.type("share_of_a = 1;", "1", "2"); // as after a task: the learner's code computes the run
+    QCOMPARE(shown.session.timeline().script().method->id(), std::string("listing"));
     shown.session.input().setPointer({200.0, 300.0}, true);
     shown.key(Qt::Key_Right);
     QTRY_VERIFY(!todo.isHidden());

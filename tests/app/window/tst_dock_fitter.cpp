@@ -193,6 +193,27 @@ private slots:
         QCOMPARE(fixture.view.minimumSize(), QSize(480, 220));
     }
 
+    void inTheSmallestWindowTheModesHaveTheirNames_data()
+    {
+        QTest::addColumn<QString>("language");
+        for (const char *language : {"", "de"})
+            QTest::newRow(*language ? language : "en") << QString(language);
+    }
+
+    void inTheSmallestWindowTheModesHaveTheirNames()
+    {
+        QFETCH(const QString, language);
+        WindowFixture fixture({.language = language});
+        fixture.window.resize(fixture.window.minimumSize());
+        settle();
+        QCOMPARE(fixture.window.size(), fixture.window.minimumSize());
+        for (const auto *mode : fixture.part<QFrame>("modes").findChildren<QToolButton *>("mode"))
+            QVERIFY2(mode->width() >= mode->sizeHint().width(), qPrintable(mode->text()));
+        const auto &more = fixture.part<QToolButton>("qt_menubar_ext_button");
+        QVERIFY(more.isVisible() && more.iconSize().width() <= more.width());
+        QVERIFY(!more.toolTip().isEmpty() && more.accessibleName() == more.toolTip());
+    }
+
     void whatComesBackIsAsBroadAndHighAsBefore()
     {
         FitterFixture fixture({1280, 800});

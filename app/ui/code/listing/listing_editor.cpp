@@ -297,6 +297,9 @@ void ListingEditor::writeBehind(int line)
 {
     const QString code = text(line - 1);
     setCursorPosition(line - 1, static_cast<int>(code.size()) - (code.endsWith('\n') ? 1 : 0));
+    constexpr int linesAbove = 4; // which say what to write, and have names for it
+    send(*this, SCI_SCROLLRANGE, static_cast<std::size_t>(positionOf(std::max(1, line - linesAbove), 1)),
+         send(*this, SCI_GETCURRENTPOS));
 }
 
 void ListingEditor::setValues(LineValues values)
