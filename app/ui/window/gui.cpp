@@ -6,6 +6,7 @@
 #include "app/model/lesson_folders/your_lessons.h"
 #include "app/model/session/session.h"
 #include "app/model/text/language.h"
+#include "app/ui/code/code_pages.h"
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/help/tour.h"
 #include "app/ui/plots/plots_panel.h"
@@ -164,6 +165,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         theme.apply(application);
         Session session(library);
         session.open(experiment);
+        if (request.phase > 0) // the listing has lines and no phases
+            QSettings().setValue(CodePages::pageKey, QStringLiteral("engine"));
         MainWindow window(session, theme);
         window.setAttribute(Qt::WA_DontShowOnScreen);
         window.resize(request.size);
