@@ -22,35 +22,16 @@ struct AccuracyText
     Q_DECLARE_TR_FUNCTIONS(AccuracyText)
 };
 
-constexpr std::int64_t mostFramesStudied = 10'000;
+constexpr double mostFramesStudied = 10'000;
 /// The most frames of a file that are studied by default. More take long and show little more.
 constexpr std::int64_t mostFramesOfFile = 1000;
 
-struct AccuracyRequest
-{
-    QString experiment;                 ///< a file, or LESSON/STEP
-    std::optional<double> tolerance;    ///< px
-    std::optional<std::int64_t> frames; ///< the number of frames to study
-};
-
-/// @throws UsageError
-AccuracyRequest accuracyRequest(const Arguments &arguments)
-{
-    AccuracyRequest request{arguments.names[0], {}, {}};
-    if (arguments.has("tolerance"))
-        request.tolerance = numberOption(arguments, "tolerance", 1e-12, 1e6);
-    if (arguments.has("frames"))
-        request.frames =
-            std::llround(numberOption(arguments, "frames", 1, static_cast<double>(mostFramesStudied)));
-    return request;
-}
-
-sim::StudyPlan planFor(const AccuracyRequest &request, const Experiment &experiment)
+sim::StudyPlan planFor(std::optional<double> frames, bool isFile, const Experiment &experiment)
 {
     sim::StudyPlan plan;
-    if (request.frames)
-        plan.frames = *request.frames;
-    else if (QFileInfo::exists(request.experiment))
+    if (frames)
+        plan.frames = std::llround(*frames);
+    else if (isFile)
         plan.frames = std::clamp<std::int64_t>(experiment.frames, 1, mostFramesOfFile);
     plan.secondsToPreview = std::numeric_limits<double>::infinity(); // nothing shows a preview
     plan.inUse = sim::MethodSetup{experiment.script.method, experiment.script.step};
@@ -84,22 +65,28 @@ void writePlot(const QString &path, const AccuracyReport &report, const Experime
 
 int runAccuracy(const Arguments &arguments)
 {
-    const AccuracyRequest request = accuracyRequest(arguments);
+    const auto number = [&](const char *option, double least, double most) {
+        return arguments.has(option) ? std::optional(numberOption(arguments, option, least, most))
+                                     : std::nullopt;
+    };
+    const QString name = arguments.names[0];
+    const std::optional<double> tolerance = number("tolerance", 1e-12, 1e6);
+    const std::optional<double> frames = number("frames", 1, mostFramesStudied);
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
-    const Experiment experiment = experimentFor(request.experiment, library);
+    const Experiment experiment = experimentFor(name, library);
     if (programOf(experiment.script.method))
         throw UserError(
             AccuracyText::tr("%1: the run is computed by code, which has no shorter steps to compare with. "
                              "Remove \"method\" and \"code\" to measure the methods.")
-                .arg(shownPath(request.experiment)));
-    const sim::StudyPlan plan = planFor(request, experiment);
-    const AccuracyReport report{request.experiment, request.tolerance, *plan.inUse, study(experiment, plan)};
+                .arg(shownPath(name)));
+    const sim::StudyPlan plan = planFor(frames, QFileInfo::exists(name), experiment);
+    const AccuracyReport report{name, tolerance, *plan.inUse, study(experiment, plan)};
     if (isInterrupted())
         return printInterrupted();
     if (const QString path = arguments.value("svg"); !path.isEmpty())
         writePlot(path, report, experiment, library);
     print(arguments.has("json") ? accuracyJson(report) : accuracyTable(report));
-    return request.tolerance && !report.found.cheapest(*request.tolerance) ? exitNo : exitDone;
+    return tolerance && !report.found.cheapest(*tolerance) ? exitNo : exitDone;
 }
 
 }

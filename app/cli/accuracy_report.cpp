@@ -1,12 +1,11 @@
 #include "app/cli/accuracy_report.h"
 
+#include "app/model/analysis/accuracy_study.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
 #include "sim/pipeline/method.h"
 
 #include <QCoreApplication>
-
-#include <algorithm>
 
 namespace app {
 
@@ -22,7 +21,7 @@ QString id(const sim::MethodSetup &setup)
     return QString::fromStdString(setup.method->id());
 }
 
-QString wayText(const sim::MethodSetup &setup)
+QString setupText(const sim::MethodSetup &setup)
 {
     return id(setup) + ", " + stepText(setup.step);
 }
@@ -40,7 +39,7 @@ QString microseconds(double ns)
 const sim::AccuracyRow *rowOf(const sim::Accuracy &found, const sim::MethodSetup &setup)
 {
     for (const sim::AccuracyRow &row : found.rows) {
-        if (row.setup.method->id() == setup.method->id() && row.setup.step == setup.step)
+        if (sameSetup(row.setup, setup))
             return &row;
     }
     return nullptr;
@@ -69,8 +68,7 @@ QString rowLine(const sim::AccuracyRow &row, const sim::MethodSetup &inUse)
             QString::number(row.nsPerFrame, 'f', 0).rightJustified(12) +
             QString::number(row.spread, 'f', 0).rightJustified(9);
     line += row.front ? QStringLiteral("  *") : QString();
-    const bool isInUse = row.setup.method->id() == inUse.method->id() && row.setup.step == inUse.step;
-    return line + (isInUse ? "  " + AccuracyReportText::tr("in use") : QString()) + '\n';
+    return line + (sameSetup(row.setup, inUse) ? "  " + AccuracyReportText::tr("in use") : QString()) + '\n';
 }
 
 /// Returns a line per row, and the reason for a method that cannot compute the scene.
@@ -128,7 +126,7 @@ QString cheapestSentence(const sim::Accuracy &found, double error)
         return AccuracyReportText::tr("No method stays within an error of %1 px.").arg(within);
     return AccuracyReportText::tr("The cheapest way to stay within an error of %1 px costs %2 \u00b5s a "
                                   "frame: %3, with an error of %4 px.")
-        .arg(within, microseconds(row->nsPerFrame), wayText(row->setup), shortNumber(row->error));
+        .arg(within, microseconds(row->nsPerFrame), setupText(row->setup), shortNumber(row->error));
 }
 
 QString inUseSentence(const AccuracyReport &report)
@@ -136,9 +134,9 @@ QString inUseSentence(const AccuracyReport &report)
     const sim::AccuracyRow *row = rowOf(report.found, report.inUse);
     if (!row || row->outcome != sim::Outcome::measured)
         return AccuracyReportText::tr("No error was measured for the method in use, %1: see the table.")
-            .arg(wayText(report.inUse));
+            .arg(setupText(report.inUse));
     return AccuracyReportText::tr("The method in use, %1, costs %2 \u00b5s a frame, with an error of %3 px.")
-        .arg(wayText(report.inUse), microseconds(row->nsPerFrame), shortNumber(row->error));
+        .arg(setupText(report.inUse), microseconds(row->nsPerFrame), shortNumber(row->error));
 }
 
 }

@@ -57,10 +57,7 @@ QString jsonOf(const LessonEntry &lesson, const QStringList &languages,
     json.field("id", lesson.id);
     json.field("title", lesson.title);
     json.field("good", isGood(findings));
-    json.beginList("languages", JsonWriter::Layout::oneLine);
-    for (const QString &language : languages)
-        json.value(language);
-    json.endList();
+    json.list("languages", languages, JsonWriter::Layout::oneLine);
     json.beginList("checked");
     for (const LessonFinding &one : findings) {
         json.beginObject(JsonWriter::Layout::oneLine);

@@ -148,7 +148,7 @@ std::optional<int> reportUnknownNames(const QStringList &names)
     return reportUsageError(sentence.arg(quoted(names.front()), verbNames()));
 }
 
-CommandLine readWindowCall(const QStringList &arguments)
+CommandLine readFile(const QStringList &arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(descriptionOfProgram());
@@ -163,7 +163,7 @@ CommandLine readWindowCall(const QStringList &arguments)
     }
     if (const auto exitCode = reportUnknownNames(parser.positionalArguments()))
         return *exitCode;
-    return WindowCall{parser.positionalArguments().value(0)};
+    return parser.positionalArguments().value(0);
 }
 
 }
@@ -172,7 +172,7 @@ CommandLine readCommandLine(const QStringList &arguments)
 {
     const auto verb = std::find_if(verbs().begin(), verbs().end(),
                                    [&](const Verb &one) { return one.name == arguments.value(0); });
-    return verb == verbs().end() ? readWindowCall(arguments) : readVerb(*verb, arguments.mid(1));
+    return verb == verbs().end() ? readFile(arguments) : readVerb(*verb, arguments.mid(1));
 }
 
 ApplicationKind applicationFor(const VerbCall &call)

@@ -15,14 +15,9 @@ struct VerbCall
     Arguments arguments;
 };
 
-/// An experiment to open in the window.
-struct WindowCall
-{
-    QString file; ///< empty for none
-};
-
-/// The exit code if nothing is left to do. This is so after help, the version, or an error message.
-using CommandLine = std::variant<int, VerbCall, WindowCall>;
+/// The exit code if nothing is left to do, after help, the version or an error message. Otherwise a verb to run, or the
+/// file to open in the window; empty for none.
+using CommandLine = std::variant<int, VerbCall, QString>;
 
 /// Reads the arguments of the program. Prints help and the version if they ask for it. Prints one sentence if they are
 /// wrong.

@@ -37,8 +37,7 @@ InitialState initialStateOf(const sim::Script &script, std::int64_t frame)
     sim::Track track(script, 0);
     TerminalLine status;
     const auto goesOn = [&] {
-        if (status.isDue())
-            status.show(CostText::tr("Frame %1 of %2").arg(track.cursor().frame).arg(frame));
+        status.showFrame(track.cursor().frame, frame);
         return !isInterrupted();
     };
     if (!track.seek({frame, 0}, goesOn))

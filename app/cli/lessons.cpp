@@ -34,14 +34,6 @@ QStringList needsOf(const sim::Method &method)
     return needs;
 }
 
-void writeTexts(const QString &name, const QStringList &texts, JsonWriter &json)
-{
-    json.beginList(name);
-    for (const QString &text : texts)
-        json.value(text);
-    json.endList();
-}
-
 void writeParameter(const lessons::Parameter &parameter, JsonWriter &json)
 {
     json.beginObject();
@@ -53,7 +45,7 @@ void writeParameter(const lessons::Parameter &parameter, JsonWriter &json)
         json.field("max", parameter.max);
     } else {
         json.field("default", defaultChoice(parameter));
-        writeTexts("choices", parameter.choices, json);
+        json.list("choices", parameter.choices);
     }
     json.endObject();
 }
@@ -84,7 +76,7 @@ void writeMethod(const sim::Method &method, JsonWriter &json)
     json.beginObject();
     json.field("id", method.id());
     json.field("order", method.order());
-    writeTexts("needs", needsOf(method), json);
+    json.list("needs", needsOf(method));
     json.endObject();
 }
 

@@ -1,6 +1,6 @@
 #include "app/cli/command_line.h"
 #include "app/cli/terminal.h"
-#include "app/ui/settings/appearance.h"
+#include "app/ui/settings/size_menu.h"
 #include "app/ui/window/gui.h"
 
 #include <QApplication>
@@ -77,9 +77,9 @@ int run(int argc, char **argv)
     if (const int *exitCode = std::get_if<int>(&command))
         return *exitCode;
     // Qt allows one application at a time, and its class cannot be known before the arguments are read.
-    if (const auto *window = std::get_if<app::WindowCall>(&command)) {
+    if (const auto *file = std::get_if<QString>(&command)) {
         application.reset();
-        return openWindow(argc, argv, window->file);
+        return openWindow(argc, argv, *file);
     }
     const auto &call = std::get<app::VerbCall>(command);
     if (app::applicationFor(call) == app::ApplicationKind::widgets) {

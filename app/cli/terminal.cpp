@@ -155,6 +155,12 @@ void TerminalLine::show(const QString &text)
     std::fprintf(stderr, "\r\x1b[K%s", escaped(text).toUtf8().constData());
 }
 
+void TerminalLine::showFrame(std::int64_t frame, std::int64_t last)
+{
+    if (isDue())
+        show(TerminalText::tr("Frame %1 of %2").arg(frame).arg(last));
+}
+
 Waiting::Waiting(const QString &what) : m_what(what)
 {
     if (!isatty(STDERR_FILENO))
@@ -193,17 +199,6 @@ void Waiting::watch()
                           .arg(m_what)
                           .arg(std::chrono::duration_cast<std::chrono::seconds>(spent).count()));
     }
-}
-
-RunProgress::RunProgress(std::int64_t frames) : m_frames(frames)
-{
-    if (isatty(STDOUT_FILENO))
-        m_line.hide();
-}
-
-void RunProgress::show(std::int64_t frame)
-{
-    m_line.show(TerminalText::tr("Frame %1 of %2").arg(frame).arg(m_frames));
 }
 
 }

@@ -65,6 +65,8 @@ public:
     /// Returns whether it is time to show another text.
     bool isDue() const { return m_isShown && std::chrono::steady_clock::now() >= m_next; }
     void show(const QString &text);
+    /// If it is time, shows that a run of `last` frames is at `frame`.
+    void showFrame(std::int64_t frame, std::int64_t last);
     /// Erases the line.
     void erase();
     /// Makes isDue() false from now on.
@@ -93,24 +95,6 @@ private:
     std::condition_variable m_isOver;
     bool m_ends = false;
     std::thread m_watch; ///< runs only if stderr is a terminal
-};
-
-/// A status line with the current frame of a run. It is hidden if the run is written to the terminal.
-class RunProgress
-{
-public:
-    explicit RunProgress(std::int64_t frames);
-    void at(std::int64_t frame)
-    {
-        if (m_line.isDue())
-            show(frame);
-    }
-
-private:
-    void show(std::int64_t frame);
-
-    TerminalLine m_line;
-    std::int64_t m_frames;
 };
 
 }

@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <unistd.h>
+
 #include <optional>
 
 namespace app {
@@ -27,13 +29,15 @@ constexpr std::size_t keyframeBudget = std::size_t{1} << 20;
 bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns columns, Output &output,
                std::int64_t &last)
 {
-    RunProgress progress(frames);
+    TerminalLine progress;
+    if (isatty(STDOUT_FILENO))
+        progress.hide(); // the rows are shown there
     output.buffer() += traceTitles(columns);
     appendTraceRow(output.buffer(), track, columns);
     for (std::int64_t frame = track.framesPerOutput(); frame <= frames; frame += track.framesPerOutput()) {
         // Called within a frame, too, because one frame can take long.
         const auto goesOn = [&] {
-            progress.at(last);
+            progress.showFrame(last, frames);
             return !isInterrupted();
         };
         if (!goesOn() || !track.seek({frame, 0}, goesOn) || track.stop())

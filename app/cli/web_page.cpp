@@ -41,7 +41,7 @@ Quantity quantityOption(const QString &name, const sim::Scene &scene)
     const std::optional<Quantity> read = quantityFrom(name);
     if (!read || read->what == QuantityKind::time) {
         QStringList ids;
-        for (const QuantityKind what : allMeasured()) {
+        for (const QuantityKind what : quantityKinds()) {
             if (what != QuantityKind::time)
                 ids << idOf(what);
         }

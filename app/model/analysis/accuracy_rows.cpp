@@ -59,7 +59,7 @@ QByteArray errorsOverRun(const sim::Accuracy &accuracy, const std::vector<std::s
     QByteArray text = "frame";
     std::size_t frames = 0;
     for (const std::size_t row : rows) {
-        text += ',' + quotedField(QStringLiteral("%1 [px]").arg(wayWords(accuracy.rows[row].setup)));
+        text += ',' + quotedField(QStringLiteral("%1 [px]").arg(setupTitle(accuracy.rows[row].setup)));
         frames = std::max(frames, accuracy.rows[row].errorAt.size());
     }
     text += '\n';

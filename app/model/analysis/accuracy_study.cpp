@@ -1,6 +1,7 @@
 #include "app/model/analysis/accuracy_study.h"
 
 #include "app/model/run/run_program.h"
+#include "app/model/run/same_run.h"
 #include "app/model/text/sentences.h"
 #include "sim/methods/methods.h"
 
@@ -15,12 +16,12 @@ namespace {
 
 bool sameScene(const sim::Script &a, const sim::Script &b)
 {
-    return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff && a.input == b.input;
+    return sameButForInput(a, b) && a.input == b.input;
 }
 
 }
 
-bool sameWay(const sim::MethodSetup &a, const sim::MethodSetup &b)
+bool sameSetup(const sim::MethodSetup &a, const sim::MethodSetup &b)
 {
     return a.method && b.method && a.method->id() == b.method->id() && a.step == b.step;
 }
@@ -137,7 +138,7 @@ const sim::AccuracyRow *AccuracyStudy::inUse() const
     const sim::MethodSetup setup{script.method, script.step};
     const auto &rows = m_accuracy->rows;
     const auto found = std::find_if(rows.begin(), rows.end(),
-                                    [&](const sim::AccuracyRow &row) { return sameWay(row.setup, setup); });
+                                    [&](const sim::AccuracyRow &row) { return sameSetup(row.setup, setup); });
     return found == rows.end() ? nullptr : &*found;
 }
 

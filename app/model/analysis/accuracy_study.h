@@ -90,6 +90,6 @@ private:
 };
 
 /// Returns whether two method setups are the same.
-bool sameWay(const sim::MethodSetup &a, const sim::MethodSetup &b);
+bool sameSetup(const sim::MethodSetup &a, const sim::MethodSetup &b);
 
 }

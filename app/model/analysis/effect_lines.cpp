@@ -42,7 +42,7 @@ QString runsOf(double evaluations)
 }
 
 /// The measured cost of the effects with one id. A scene may list several.
-struct QuantityKind
+struct MeasuredCost
 {
     double ns = 0.0;
     double spread = 0.0;
@@ -51,9 +51,9 @@ struct QuantityKind
     bool isKnown = false;
 };
 
-QuantityKind measured(const EffectFacts &facts, const std::string &id)
+MeasuredCost measured(const EffectFacts &facts, const std::string &id)
 {
-    QuantityKind sum;
+    MeasuredCost sum;
     if (!facts.cost || facts.cost->rounds == 0)
         return sum;
     for (const sim::EffectCost &one : facts.cost->effects) {
@@ -85,7 +85,7 @@ QString savingWords(const QString &title, double ns, const sim::FrameCost &cost)
         .arg(title, figure(cost.ns - ns), figure(cost.ns));
 }
 
-void fillActing(EffectLine &line, const QuantityKind &cost, const EffectFacts &facts)
+void fillActing(EffectLine &line, const MeasuredCost &cost, const EffectFacts &facts)
 {
     if (!cost.isKnown) {
         line.frame = QChar(0x2026);

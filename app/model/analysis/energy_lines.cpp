@@ -124,9 +124,9 @@ EnergyLines::EnergyLines(const EnergySeries &series) : m_series(series)
     if (!first)
         return;
     m_lowest = std::min(first->before.gravity, first->after.gravity);
-    for (std::int64_t frame = series.first(); frame <= series.last(); frame += series.rowFrames())
+    for (std::int64_t frame = series.first(); frame <= series.last(); frame += series.framesPerOutput())
         include(*series.at(frame));
-    for (std::int64_t frame = series.first(); frame <= series.last(); frame += series.rowFrames()) {
+    for (std::int64_t frame = series.first(); frame <= series.last(); frame += series.framesPerOutput()) {
         for (const sim::AccountName &name : sim::accountNames()) {
             const sim::Balance &balance = *series.at(frame);
             if (std::abs(balance.energy[name.account]) > rounding * m_scale)

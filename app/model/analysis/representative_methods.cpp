@@ -31,7 +31,8 @@ std::vector<const sim::AccuracyRow *> byExactness(const sim::Accuracy &accuracy)
 
 }
 
-std::vector<std::string> tellingMethods(const sim::Accuracy &accuracy, const std::string &own, double target)
+std::vector<std::string> representativeMethods(const sim::Accuracy &accuracy, const std::string &own,
+                                               double target)
 {
     std::vector<std::string> chosen = {own};
     std::set<int> orders;
@@ -41,7 +42,7 @@ std::vector<std::string> tellingMethods(const sim::Accuracy &accuracy, const std
     }
     const auto add = [&](const sim::Method &method) {
         const bool isNew = std::find(chosen.begin(), chosen.end(), method.id()) == chosen.end();
-        if (isNew && chosen.size() < mostTelling) {
+        if (isNew && chosen.size() < mostRepresentative) {
             chosen.push_back(method.id());
             orders.insert(method.order());
         }

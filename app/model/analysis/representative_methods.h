@@ -12,10 +12,11 @@ namespace app {
 /// Returns the ids of the methods for a beginner to compare: `own`, the method of the step, then the cheapest method
 /// with an error below `target` px, then the most accurate one. A duplicate is replaced by the next most accurate
 /// method of another order. Methods without measurements are left out, except `own`.
-std::vector<std::string> tellingMethods(const sim::Accuracy &accuracy, const std::string &own, double target);
+std::vector<std::string> representativeMethods(const sim::Accuracy &accuracy, const std::string &own,
+                                               double target);
 
 /// The largest number of these methods.
-constexpr std::size_t mostTelling = 3;
+constexpr std::size_t mostRepresentative = 3;
 
 /// The methods that plots of a study show.
 struct ShownMethods

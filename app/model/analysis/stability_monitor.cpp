@@ -5,7 +5,6 @@
 #include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 

@@ -1,6 +1,7 @@
 #include "app/model/breakpoints/breakpoint_monitor.h"
 
 #include "app/listing/tokens.h"
+#include "app/model/breakpoints/condition_names.h"
 #include "app/model/code/code_listing.h"
 #include "app/model/code/source_files.h"
 #include "app/model/listing/assigned_paths.h"
@@ -76,13 +77,8 @@ QString sentenceBeforeLine(const Breakpoint &breakpoint, const ListingFrame &fra
 ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &timeline)
 {
     const sim::Track &track = timeline.track();
-    ConditionNames names{track.interval().scene, timeline.values(), track.nextInterval()->pipeline};
-    for (const lessons::Parameter &parameter : step.parameters) {
-        if (!parameter.choices.isEmpty())
-            names.choices[parameter.id] = parameter.choices;
-    }
-    names.variables = variablesOf(step, timeline.script());
-    return names;
+    return {track.interval().scene, timeline.values(), track.nextInterval()->pipeline,
+            condition_names::choicesOf(step), variablesOf(step, timeline.script())};
 }
 
 std::vector<int> phasesAt(const CodePlace &place, const sim::Pipeline &pipeline)

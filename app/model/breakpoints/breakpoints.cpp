@@ -1,6 +1,7 @@
 #include "app/model/breakpoints/breakpoints.h"
 
 #include "app/model/breakpoints/condition.h"
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/listing/changed_lines.h"
 
 #include <algorithm>
@@ -10,16 +11,7 @@ namespace app {
 
 const Breakpoint *Breakpoints::find(int id) const
 {
-    const auto found = std::find_if(m_open.all.begin(), m_open.all.end(),
-                                    [id](const Breakpoint &one) { return one.id == id; });
-    return found == m_open.all.end() ? nullptr : &*found;
-}
-
-Breakpoint *Breakpoints::its(int id)
-{
-    const auto found = std::find_if(m_open.all.begin(), m_open.all.end(),
-                                    [id](const Breakpoint &one) { return one.id == id; });
-    return found == m_open.all.end() ? nullptr : &*found;
+    return findById(m_open.all, id);
 }
 
 const Breakpoint *Breakpoints::at(const CodePlace &place) const
@@ -58,7 +50,7 @@ void Breakpoints::add(const QString &condition)
 
 void Breakpoints::setCondition(int id, const QString &condition)
 {
-    Breakpoint *one = its(id);
+    Breakpoint *one = findById(m_open.all, id);
     if (!one || one->condition == condition)
         return;
     one->condition = condition;
@@ -67,7 +59,7 @@ void Breakpoints::setCondition(int id, const QString &condition)
 
 void Breakpoints::setOn(int id, bool on)
 {
-    Breakpoint *one = its(id);
+    Breakpoint *one = findById(m_open.all, id);
     if (!one || one->isOn == on)
         return;
     one->isOn = on;

@@ -70,8 +70,6 @@ private:
         std::optional<QString> listing; ///< empty: not known yet
     };
 
-    Breakpoint *its(int id);
-
     OfStep m_open;
     std::map<QString, OfStep> m_closed; ///< by step
     QString m_key;

@@ -50,6 +50,16 @@ QStringList parametersOf(const sim::Values &values)
     return ids;
 }
 
+std::map<QString, QStringList> choicesOf(const lessons::Step &step)
+{
+    std::map<QString, QStringList> choices;
+    for (const lessons::Parameter &parameter : step.parameters) {
+        if (!parameter.choices.isEmpty())
+            choices[parameter.id] = parameter.choices;
+    }
+    return choices;
+}
+
 QStringList phasesOf(const sim::Pipeline &pipeline)
 {
     QStringList titles;

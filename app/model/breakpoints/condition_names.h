@@ -1,8 +1,11 @@
 #pragma once
 
 #include "app/model/breakpoints/condition.h"
+#include "lessons/api/step.h"
 
 #include <QHash>
+
+#include <map>
 
 /// The names that a condition may use, for look-up and for error messages.
 namespace app::condition_names {
@@ -15,6 +18,8 @@ QString someOf(const QStringList &names);
 /// Returns the names of the first bodies.
 QStringList bodiesOf(const sim::Scene &scene);
 QStringList parametersOf(const sim::Values &values);
+/// Returns the ids of the values of each parameter of `step` that is a choice, by the id of the parameter.
+std::map<QString, QStringList> choicesOf(const lessons::Step &step);
 /// Returns each phase title once, in the learner's language.
 QStringList phasesOf(const sim::Pipeline &pipeline);
 /// Returns the numbers that each body has in a state such as `state`, by name.

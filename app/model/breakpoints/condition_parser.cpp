@@ -14,11 +14,6 @@ using namespace condition_names;
 
 namespace {
 
-struct ConditionParserText
-{
-    Q_DECLARE_TR_FUNCTIONS(ConditionParserText)
-};
-
 using Kind = Condition::Operation::Kind;
 
 const QHash<QString, Kind> &comparisons()
@@ -34,9 +29,8 @@ const QHash<QString, Kind> &comparisons()
 ConditionParser::ConditionParser(const QString &text, const ConditionNames &names) : m_names(names)
 {
     if (text.size() > Condition::longest)
-        refuse(
-            Condition::longest + 1,
-            ConditionParserText::tr("this is too long; use at most %1 characters.").arg(Condition::longest));
+        refuse(Condition::longest + 1,
+               tr("this is too long; use at most %1 characters.").arg(Condition::longest));
     m_words = conditionWords(text);
 }
 
@@ -57,30 +51,25 @@ void ConditionParser::need(const Part &part, Type type) const
     if (part.type == type)
         return;
     if (type == Type::truth && part.type == Type::number)
-        refuse(part.place,
-               ConditionParserText::tr("a number is neither true nor false; compare it, as in %1.")
-                   .arg(part.text.isEmpty() ? QStringLiteral("… > 0") : part.text + " > 0"));
+        refuse(part.place, tr("a number is neither true nor false; compare it, as in %1.")
+                               .arg(part.text.isEmpty() ? QStringLiteral("… > 0") : part.text + " > 0"));
     switch (part.type) {
     case Type::truth:
-        refuse(part.place,
-               ConditionParserText::tr("this is true or false, not a number; join conditions with and, or."));
+        refuse(part.place, tr("this is true or false, not a number; join conditions with and, or."));
     case Type::phase:
-        refuse(part.place,
-               ConditionParserText::tr("a phase can only be compared with its name, as in phase == \"%1\".")
-                   .arg(phasesOf(m_names.pipeline).value(0)));
+        refuse(part.place, tr("a phase can only be compared with its name, as in phase == \"%1\".")
+                               .arg(phasesOf(m_names.pipeline).value(0)));
     case Type::choice:
-        refuse(part.place, ConditionParserText::tr(
-                               "%1 is a choice; compare it with one of its values, as in %1 == \"%2\".")
+        refuse(part.place, tr("%1 is a choice; compare it with one of its values, as in %1 == \"%2\".")
                                .arg(part.text, part.choices.value(0)));
     case Type::text:
-        refuse(part.place,
-               ConditionParserText::tr("%1 is a text; only phase and choices can be compared with a text.")
-                   .arg(quoted(part.text)));
+        refuse(
+            part.place,
+            tr("%1 is a text; only phase and choices can be compared with a text.").arg(quoted(part.text)));
     case Type::number:
         break;
     }
-    refuse(part.place,
-           ConditionParserText::tr("a number cannot be used here; write a condition such as x > 0."));
+    refuse(part.place, tr("a number cannot be used here; write a condition such as x > 0."));
 }
 
 ConditionParser::Program ConditionParser::parse()
@@ -96,14 +85,14 @@ ConditionParser::Program ConditionParser::parseNumber()
 ConditionParser::Part ConditionParser::whole(Type type)
 {
     if (now().kind == ConditionToken::Kind::end)
-        refuse(1, ConditionParserText::tr("the condition is empty; write a comparison, as in %1.y > 380.")
+        refuse(1, tr("the condition is empty; write a comparison, as in %1.y > 380.")
                       .arg(bodiesOf(m_names.scene).value(0)));
     Part all = either();
     if (isSign(QStringLiteral(")")))
-        refuse(now().place, ConditionParserText::tr("this parenthesis closes nothing; remove it."));
+        refuse(now().place, tr("this parenthesis closes nothing; remove it."));
     if (now().kind != ConditionToken::Kind::end)
-        refuse(now().place, ConditionParserText::tr("%1 cannot directly follow the text before it; put and, "
-                                                    "or, or a sign such as + or < between them.")
+        refuse(now().place, tr("%1 cannot directly follow the text before it; put and, "
+                               "or, or a sign such as + or < between them.")
                                 .arg(quoted(now().text)));
     need(all, type);
     return all;
@@ -159,8 +148,7 @@ ConditionParser::Part ConditionParser::compared()
     ++m_at;
     Part whole = comparison(sign, std::move(left), sum());
     if (now().kind == ConditionToken::Kind::sign && comparisons().contains(now().text))
-        refuse(now().place,
-               ConditionParserText::tr("a comparison has only two sides; join two comparisons with and."));
+        refuse(now().place, tr("a comparison has only two sides; join two comparisons with and."));
     return whole;
 }
 
@@ -173,8 +161,7 @@ ConditionParser::Part ConditionParser::comparison(const ConditionToken &sign, Pa
     const bool named = left.type == Type::phase || left.type == Type::choice;
     if (named && right.type == Type::text) {
         if (!isEquality)
-            refuse(sign.place,
-                   ConditionParserText::tr("names can only be equal or different; write == or !=."));
+            refuse(sign.place, tr("names can only be equal or different; write == or !=."));
         return left.type == Type::phase ? phaseIs(right, kind == Kind::equal)
                                         : choiceIs(left, right, left, kind);
     }
@@ -224,14 +211,12 @@ void ConditionParser::expectClose(qsizetype opened)
     if (take(QStringLiteral(")")))
         return;
     if (now().kind == ConditionToken::Kind::end)
-        refuse(opened, ConditionParserText::tr("this parenthesis is not closed; close it with )."));
+        refuse(opened, tr("this parenthesis is not closed; close it with )."));
     if (isSign(QStringLiteral(",")))
-        refuse(now().place, ConditionParserText::tr(
-                                "a comma can stand only between two bodies, as in distance(%1, %2); write "
-                                "numbers with a point.")
+        refuse(now().place, tr("a comma can stand only between two bodies, as in distance(%1, %2); write "
+                               "numbers with a point.")
                                 .arg(bodiesOf(m_names.scene).value(0), bodiesOf(m_names.scene).value(1)));
-    refuse(now().place, ConditionParserText::tr("%1 cannot be here; a sign or ) is missing before it.")
-                            .arg(quoted(now().text)));
+    refuse(now().place, tr("%1 cannot be here; a sign or ) is missing before it.").arg(quoted(now().text)));
 }
 
 ConditionParser::Part ConditionParser::primary()
@@ -247,14 +232,12 @@ ConditionParser::Part ConditionParser::primary()
     case ConditionToken::Kind::name:
         return named();
     case ConditionToken::Kind::end:
-        refuse(word.place,
-               ConditionParserText::tr("something is missing at the end; add a number or a name."));
+        refuse(word.place, tr("something is missing at the end; add a number or a name."));
     case ConditionToken::Kind::sign:
         break;
     }
     if (word.text != u"(")
-        refuse(word.place, ConditionParserText::tr("a number or a name is missing before %1; add it.")
-                               .arg(quoted(word.text)));
+        refuse(word.place, tr("a number or a name is missing before %1; add it.").arg(quoted(word.text)));
     ++m_at;
     Part inside = either();
     expectClose(word.place);
@@ -267,7 +250,7 @@ ConditionParser::Part ConditionParser::function(Kind kind)
     const ConditionToken word = m_words[m_at++];
     const qsizetype opened = now().place;
     if (!take(QStringLiteral("(")))
-        refuse(opened, ConditionParserText::tr("%1 needs parentheses around its number, as in %1(%2.vy).")
+        refuse(opened, tr("%1 needs parentheses around its number, as in %1(%2.vy).")
                            .arg(word.text, bodiesOf(m_names.scene).value(0)));
     Part inside = either();
     need(inside, Type::number);

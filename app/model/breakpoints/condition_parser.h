@@ -3,11 +3,15 @@
 #include "app/model/breakpoints/condition.h"
 #include "app/model/breakpoints/condition_tokens.h"
 
+#include <QCoreApplication>
+
 namespace app {
 
 /// A parser for conditions. From lowest to highest precedence: or, and, not, comparisons, + -, * /, a leading sign.
 class ConditionParser
 {
+    Q_DECLARE_TR_FUNCTIONS(ConditionParserText)
+
 public:
     using Program = std::vector<Condition::Operation>;
 

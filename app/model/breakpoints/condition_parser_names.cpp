@@ -13,15 +13,6 @@ namespace app {
 
 using namespace condition_names;
 
-namespace {
-
-struct ConditionParserNamesText
-{
-    Q_DECLARE_TR_FUNCTIONS(ConditionParserNamesText)
-};
-
-}
-
 ConditionParser::Part ConditionParser::phaseIs(const Part &text, bool equal)
 {
     Condition::Operation is{Kind::phaseIs};
@@ -33,7 +24,7 @@ ConditionParser::Part ConditionParser::phaseIs(const Part &text, bool equal)
             is.phases.push_back(phase.id + '/' + phase.title);
     }
     if (is.phases.empty())
-        refuse(text.place, ConditionParserNamesText::tr("there is no phase %1; there are %2.")
+        refuse(text.place, tr("there is no phase %1; there are %2.")
                                .arg(quoted(text.text), someOf(phasesOf(m_names.pipeline))));
     Part whole{Type::truth, {is}, text.place, {}, {}};
     if (!equal)
@@ -45,8 +36,9 @@ ConditionParser::Part ConditionParser::choiceIs(const Part &choice, const Part &
 {
     const qsizetype index = choice.choices.indexOf(text.text);
     if (index < 0)
-        refuse(text.place, ConditionParserNamesText::tr("%1 is never %2; it can be %3.")
-                               .arg(choice.text, quoted(text.text), someOf(choice.choices)));
+        refuse(
+            text.place,
+            tr("%1 is never %2; it can be %3.").arg(choice.text, quoted(text.text), someOf(choice.choices)));
     Part value{Type::number, {{Kind::number, static_cast<double>(index)}}, text.place, {}, {}};
     return joined(std::move(whole), std::move(value), kind, Type::truth);
 }
@@ -98,9 +90,8 @@ ConditionParser::Part ConditionParser::ofBodies(Kind kind)
     ++m_at;
     if (kind == Kind::distance) {
         if (!take(QStringLiteral(",")))
-            refuse(now().place, ConditionParserNamesText::tr(
-                                    "distance needs two bodies with a comma between them, as in %1.")
-                                    .arg(example));
+            refuse(now().place,
+                   tr("distance needs two bodies with a comma between them, as in %1.").arg(example));
         operation.other = bodyAt(example);
         ++m_at;
     }
@@ -126,11 +117,10 @@ int ConditionParser::bodyAt(const QString &example) const
 {
     const ConditionToken &word = now();
     if (word.kind != ConditionToken::Kind::name)
-        refuse(word.place,
-               ConditionParserNamesText::tr("the name of a body is missing here, as in %1.").arg(example));
+        refuse(word.place, tr("the name of a body is missing here, as in %1.").arg(example));
     const int point = m_names.scene.find(word.text.toStdString());
     if (point < 0)
-        refuse(word.place, ConditionParserNamesText::tr("there is no body %1 here; there are %2.")
+        refuse(word.place, tr("there is no body %1 here; there are %2.")
                                .arg(quoted(word.text), someOf(bodiesOf(m_names.scene))));
     return point;
 }
@@ -147,21 +137,18 @@ ConditionParser::Part ConditionParser::variable(const ConditionToken &word)
     const QString root = word.text.section('.', 0, 0), type = m_names.variables.at(root);
     QString member = word.text.section('.', 1);
     if (type == u"Vec2" && member != u"x" && member != u"y")
-        refuse(word.place,
-               ConditionParserNamesText::tr("%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.")
-                   .arg(root));
+        refuse(word.place, tr("%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.").arg(root));
     if (type == u"Body") {
         static const QHash<QString, QString> members = {
             {"x", "position.x"},  {"y", "position.y"}, {"vx", "velocity.x"},
             {"vy", "velocity.y"}, {"angle", "angle"},  {"spin", "spin"},
         };
         if (!membersOf(m_names.scene.start).contains(member))
-            refuse(word.place,
-                   ConditionParserNamesText::tr("%1 is a body; ask for one of its numbers, as in %1.y (%2).")
-                       .arg(root, listOf(membersOf(m_names.scene.start))));
+            refuse(word.place, tr("%1 is a body; ask for one of its numbers, as in %1.y (%2).")
+                                   .arg(root, listOf(membersOf(m_names.scene.start))));
         member = members.value(member);
     } else if (type != u"Vec2" && !member.isEmpty()) {
-        refuse(word.place, ConditionParserNamesText::tr("%1 is a number, without members.").arg(root));
+        refuse(word.place, tr("%1 is a number, without members.").arg(root));
     }
     Condition::Operation read{Kind::variable};
     read.path = (member.isEmpty() ? root : root + '.' + member).toStdString();
@@ -178,26 +165,25 @@ ConditionParser::Part ConditionParser::bodyNumber(const ConditionToken &word)
     if (m_names.scene.find(word.text.toStdString()) >= 0)
         refuseName(word);
     if (point < 0)
-        refuse(word.place, ConditionParserNamesText::tr("there is no body %1 here; there are %2.")
-                               .arg(quoted(body), someOf(bodiesOf(m_names.scene))));
+        refuse(
+            word.place,
+            tr("there is no body %1 here; there are %2.").arg(quoted(body), someOf(bodiesOf(m_names.scene))));
     if (!members.contains(member))
-        refuse(word.place + dot + 1, ConditionParserNamesText::tr("%1 has no %2; it has %3.")
-                                         .arg(body, quoted(member), listOf(members)));
+        refuse(word.place + dot + 1,
+               tr("%1 has no %2; it has %3.").arg(body, quoted(member), listOf(members)));
     return {Type::number, {{members[member], 0.0, point}}, word.place, word.text, {}};
 }
 
 void ConditionParser::refuseName(const ConditionToken &word) const
 {
     if (m_names.scene.find(word.text.toStdString()) >= 0)
-        refuse(word.place,
-               ConditionParserNamesText::tr("%1 is a body; ask for one of its numbers, as in %1.y (%2).")
-                   .arg(word.text, listOf(membersOf(m_names.scene.start))));
+        refuse(word.place, tr("%1 is a body; ask for one of its numbers, as in %1.y (%2).")
+                               .arg(word.text, listOf(membersOf(m_names.scene.start))));
     QStringList known = {QStringLiteral("frame"), QStringLiteral("phase")};
     known += parametersOf(m_names.values);
     for (const auto &[name, type] : m_names.variables)
         known << name;
-    refuse(word.place, ConditionParserNamesText::tr(
-                           "there is no %1 here; there are %2, and numbers of bodies, as in %3.y.")
+    refuse(word.place, tr("there is no %1 here; there are %2, and numbers of bodies, as in %3.y.")
                            .arg(quoted(word.text), someOf(known), bodiesOf(m_names.scene).value(0)));
 }
 

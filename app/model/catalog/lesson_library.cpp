@@ -1,5 +1,6 @@
 #include "app/model/catalog/lesson_library.h"
 
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/catalog/lesson_plugin.h"
 #include "app/model/lesson_folders/lesson_folder.h"
 #include "app/model/text/user_error.h"
@@ -53,9 +54,7 @@ bool isSandboxLesson(const LessonEntry &entry)
 
 const lessons::Step *LessonEntry::step(const QString &wanted) const
 {
-    const auto found = std::find_if(steps.begin(), steps.end(),
-                                    [&wanted](const lessons::Step &step) { return step.id == wanted; });
-    return found == steps.end() ? nullptr : &*found;
+    return findById(steps, wanted);
 }
 
 const LessonEntry *LessonLibrary::lesson(const QString &wanted) const

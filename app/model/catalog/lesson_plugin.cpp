@@ -100,38 +100,14 @@ void checkStep(const lessons::Step &step)
     }
 }
 
-std::vector<lessons::Step> stepsOf(QObject *instance)
-{
-    const auto *lesson = qobject_cast<lessons::Lesson *>(instance);
-    if (!lesson)
-        refuseLesson(LessonPluginText::tr("its code has no lesson"));
-    try {
-        return lesson->steps();
-    } catch (const std::exception &error) {
-        refuseLesson(LessonPluginText::tr("its steps could not be created (%1)")
-                         .arg(oneLine(QString::fromUtf8(error.what()))));
-    }
-}
-
-/// Returns the questions of a lesson with these steps.
-lessons::Recall recallOf(const std::vector<lessons::Step> &steps)
+/// Returns what `read` returns. Refuses the lesson if it throws: `why` has %1 in place of the error.
+template <class Read>
+auto readOrRefuse(const QString &why, const Read &read)
 {
     try {
-        return lessons::readRecall(steps.front().lesson);
+        return read();
     } catch (const std::exception &error) {
-        refuseLesson(LessonPluginText::tr("its questions could not be read (%1)")
-                         .arg(oneLine(QString::fromUtf8(error.what()))));
-    }
-}
-
-/// Returns the project of a lesson with these steps, if it has one.
-std::optional<lessons::Project> projectOf(const std::vector<lessons::Step> &steps)
-{
-    try {
-        return lessons::readProject(steps.front().lesson);
-    } catch (const std::exception &error) {
-        refuseLesson(LessonPluginText::tr("its project could not be read (%1)")
-                         .arg(oneLine(QString::fromUtf8(error.what()))));
+        refuseLesson(why.arg(oneLine(QString::fromUtf8(error.what()))));
     }
 }
 
@@ -171,7 +147,11 @@ LessonEntry loadLesson(const QString &file, Language *language)
         language->learn();
     lesson.title = told(lesson.title);
     lesson.summary = told(lesson.summary);
-    lesson.steps = stepsOf(instance);
+    const auto *code = qobject_cast<lessons::Lesson *>(instance);
+    if (!code)
+        refuseLesson(LessonPluginText::tr("its code has no lesson"));
+    lesson.steps = readOrRefuse(LessonPluginText::tr("its steps could not be created (%1)"),
+                                [&] { return code->steps(); });
     QStringList made;
     for (const lessons::Step &step : lesson.steps)
         made.push_back(step.id);
@@ -181,8 +161,11 @@ LessonEntry loadLesson(const QString &file, Language *language)
                 .arg(quotedList(ids), made.isEmpty() ? LessonPluginText::tr("none") : quotedList(made)));
     for (const lessons::Step &step : lesson.steps)
         checkStep(step);
-    lesson.recall = recallOf(lesson.steps);
-    lesson.project = projectOf(lesson.steps);
+    const QString folder = lesson.steps.front().lesson;
+    lesson.recall = readOrRefuse(LessonPluginText::tr("its questions could not be read (%1)"),
+                                 [&] { return lessons::readRecall(folder); });
+    lesson.project = readOrRefuse(LessonPluginText::tr("its project could not be read (%1)"),
+                                  [&] { return lessons::readProject(folder); });
     return lesson;
 }
 

@@ -1,6 +1,6 @@
 #include "app/model/catalog/lesson_summary.h"
 
-#include <algorithm>
+#include "app/model/catalog/find_by_id.h"
 
 namespace app {
 
@@ -36,11 +36,9 @@ LessonSummary summaryOf(const LessonEntry &lesson, const LessonLibrary &library,
                 summary.unpassed << level.title;
         }
     }
-    const auto &all = library.lessons;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const auto &one) { return one.id == lesson.id; });
-    if (found != all.end() && found + 1 != all.end())
-        summary.next = &*(found + 1);
+    const LessonEntry *found = findById(library.lessons, lesson.id);
+    if (found && found != &library.lessons.back())
+        summary.next = found + 1;
     return summary;
 }
 

@@ -2,6 +2,8 @@
 
 #include "app/model/code/code_listing.h"
 
+#include <QHash>
+
 #include <utility>
 
 namespace app {
@@ -18,5 +20,7 @@ inline CodeLinePlace placeOf(const CodeLine &line)
 
 /// Returns the text of the line with single spaces. Empty for a line that holds only brackets and semicolons.
 QString comparable(const CodeLine &line);
+/// Returns how often `listing` has each line. A line that runs in several places counts once.
+QHash<QString, int> countsOf(const CodeListing &listing);
 
 }

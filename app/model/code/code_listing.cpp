@@ -130,6 +130,21 @@ QString comparable(const CodeLine &line)
     return nothing.match(text).hasMatch() ? QString() : text;
 }
 
+QHash<QString, int> countsOf(const CodeListing &listing)
+{
+    QHash<QString, int> counts;
+    QSet<CodeLinePlace> counted;
+    for (const CodeSection &section : listing.sections) {
+        for (const CodeLine &line : section.lines) {
+            if (counted.contains(placeOf(line)))
+                continue;
+            counted.insert(placeOf(line));
+            ++counts[comparable(line)];
+        }
+    }
+    return counts;
+}
+
 QString CodeLine::code() const
 {
     const qsizetype comment = source.text.indexOf(QLatin1String("//"));
@@ -209,17 +224,7 @@ std::optional<CodeListing> listingAtStart(const lessons::Step &step, const sim::
 
 void markNew(CodeListing &listing, const CodeListing &before)
 {
-    // A line that runs in several places is compared only once.
-    QHash<QString, int> had;
-    QSet<CodeLinePlace> counted;
-    for (const CodeSection &section : before.sections) {
-        for (const CodeLine &line : section.lines) {
-            if (counted.contains(placeOf(line)))
-                continue;
-            counted.insert(placeOf(line));
-            ++had[comparable(line)];
-        }
-    }
+    QHash<QString, int> had = countsOf(before);
     QHash<CodeLinePlace, bool> known;
     for (CodeSection &section : listing.sections) {
         for (CodeLine &line : section.lines) {

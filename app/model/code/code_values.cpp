@@ -1,6 +1,7 @@
 #include "app/model/code/code_values.h"
 
 #include "app/model/code/code_symbols.h"
+#include "app/model/text/quoting.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
@@ -103,8 +104,7 @@ QString numberAt(double value, double size, int more)
         return std::isnan(value) ? CodeValuesText::tr("none") : CodeValuesText::tr("too large");
     QString text;
     if (size < 0.0001 || size >= 1e7) {
-        static const QRegularExpression padding(QStringLiteral("(?<=e)\\+|(?<=e[+-])0"));
-        text = QString::number(value, 'e', std::max(0, 1 + more)).remove(padding);
+        text = withoutPadding(QString::number(value, 'e', std::max(0, 1 + more)));
     } else {
         const int decimals = size >= 10.0 ? 1 : size >= 0.1 ? 2 : size >= 0.01 ? 3 : 4;
         const double unit = std::pow(10.0, -(decimals + more));
@@ -261,8 +261,7 @@ std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim:
 
 void dropNext(std::vector<CodeChip> &chips, const CodeListing &listing, int next)
 {
-    const auto runsNext = [&](const CodeChip &chip) { return listing.sections[chip.section].has(next); };
-    chips.erase(std::remove_if(chips.begin(), chips.end(), runsNext), chips.end());
+    std::erase_if(chips, [&](const CodeChip &chip) { return listing.sections[chip.section].has(next); });
 }
 
 std::vector<CodeChip> parameterChips(const CodeListing &listing, const lessons::Step &step,

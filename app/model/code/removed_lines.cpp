@@ -12,22 +12,6 @@ namespace app {
 
 namespace {
 
-/// Returns how often `listing` has each line. A line that runs in several places counts once.
-QHash<QString, int> countsOf(const CodeListing &listing)
-{
-    QHash<QString, int> counts;
-    QSet<CodeLinePlace> counted;
-    for (const CodeSection &section : listing.sections) {
-        for (const CodeLine &line : section.lines) {
-            if (counted.contains(placeOf(line)))
-                continue;
-            counted.insert(placeOf(line));
-            ++counts[comparable(line)];
-        }
-    }
-    return counts;
-}
-
 int sharedLines(const CodeSection &one, const CodeSection &other)
 {
     QSet<QString> texts;

@@ -116,10 +116,7 @@ void writeBlueprint(const sim::Blueprint &plan, JsonWriter &json)
     parts.writeList("sticks", plan.sticks);
     parts.writeList("gaits", plan.gaits);
     parts.writeList("feet", plan.feet);
-    json.beginList("effects", Layout::oneLine);
-    for (const std::string &id : plan.effects)
-        json.value(id);
-    json.endList();
+    json.list("effects", plan.effects, Layout::oneLine);
     if (plan.rule)
         json.field("rule", plan.rule.text());
     parts.writeList("rule_links", plan.ruleLinks);

@@ -1,5 +1,6 @@
 #include "app/model/experiment/experiment_input.h"
 
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/experiment/experiment_events.h"
 #include "app/model/experiment/json_fields.h"
@@ -44,10 +45,8 @@ private:
     {
         const JsonValue &value = fields.require(QStringLiteral("event"), quotedList(m_ids));
         const QString id = textOf(m_file, value, QStringLiteral("event"));
-        for (const EventKind &kind : m_kinds) {
-            if (kind.id == id)
-                return kind;
-        }
+        if (const EventKind *kind = findById(m_kinds, id))
+            return *kind;
         refuse(m_file, value.line,
                tr("the step %1 has no event %2; it has %3.")
                    .arg(quoted(m_step.id), quoted(id), quotedList(m_ids, id)));

@@ -5,7 +5,6 @@
 #include <zlib.h>
 
 #include <array>
-#include <limits>
 
 namespace app {
 

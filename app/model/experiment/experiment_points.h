@@ -3,7 +3,6 @@
 #include "app/model/experiment/json_document.h"
 #include "sim/scene/values.h"
 
-#include <map>
 #include <vector>
 
 namespace app {

@@ -195,10 +195,7 @@ void writeRun(const sim::Script &script, std::int64_t frames, const lessons::Ste
     if (script.values.seed != untouched.values.seed)
         json.field("seed", script.values.seed);
     if (!script.effectsOff.empty()) {
-        json.beginList("effects", Layout::oneLine);
-        for (const std::string &id : script.effectsOff)
-            json.value(id);
-        json.endList();
+        json.list("effects", script.effectsOff, Layout::oneLine);
     }
     writeParameters(script, step, json);
     if (script.values.blueprint) {

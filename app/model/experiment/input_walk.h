@@ -4,7 +4,6 @@
 #include "sim/run/script/script.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace app {

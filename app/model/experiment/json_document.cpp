@@ -18,11 +18,6 @@ namespace app {
 
 namespace {
 
-struct JsonDocumentText
-{
-    Q_DECLARE_TR_FUNCTIONS(JsonDocumentText)
-};
-
 constexpr std::size_t deepest = 16;      ///< far more than an experiment needs
 constexpr std::size_t mostShared = 4096; ///< number of different texts that are stored once
 
@@ -47,6 +42,8 @@ private:
 /// A handler that builds the tree while RapidJSON's reader goes through the text once, without recursion.
 class Builder
 {
+    Q_DECLARE_TR_FUNCTIONS(JsonDocumentText)
+
 public:
     using Ch = char;
 
@@ -63,7 +60,7 @@ public:
         const QByteArray digits = QByteArray::fromRawData(text, qsizetype(length));
         const double value = digits.toDouble();
         if (!std::isfinite(value))
-            return refuse(JsonDocumentText::tr("%1 is too large for a number; the largest is %2.")
+            return refuse(tr("%1 is too large for a number; the largest is %2.")
                               .arg(quoted(QString::fromLatin1(digits)), "1.8e308"));
         bool isWhole = false;
         const qint64 whole = std::max(digits.toLongLong(&isWhole), -mostExact - 1);
@@ -83,8 +80,7 @@ public:
         const auto &members = std::get<JsonValue::Object>(m_open.back()->what);
         if (const JsonMember *twice = findTwice(members)) {
             m_errorLine = twice->value.line;
-            return refuse(
-                JsonDocumentText::tr("%1 is given twice; keep one of them.").arg(quoted(twice->name)));
+            return refuse(tr("%1 is given twice; keep one of them.").arg(quoted(twice->name)));
         }
         return close();
     }
@@ -164,8 +160,7 @@ private:
     {
         if (m_open.size() == deepest)
             return refuse(
-                JsonDocumentText::tr(
-                    "lists and objects are nested more than %1 deep here; an experiment needs only 3 levels.")
+                tr("lists and objects are nested more than %1 deep here; an experiment needs only 3 levels.")
                     .arg(deepest));
         m_open.push_back(place(std::move(value)));
         return count();
@@ -176,8 +171,7 @@ private:
         if (++m_values <= mostJsonValues)
             return true;
         return refuse(
-            JsonDocumentText::tr("here begins one value too many; an experiment has at most %1 values.")
-                .arg(mostJsonValues));
+            tr("here begins one value too many; an experiment has at most %1 values.").arg(mostJsonValues));
     }
 
     bool close()
@@ -202,31 +196,31 @@ QString whatIsWrong(rapidjson::ParseErrorCode code)
 {
     switch (code) {
     case rapidjson::kParseErrorDocumentRootNotSingular:
-        return JsonDocumentText::tr(
+        return Builder::tr(
             "there is text after the end of the experiment; remove everything after its closing bracket.");
     case rapidjson::kParseErrorObjectMissName:
-        return JsonDocumentText::tr("a name in double quotes is expected here.");
+        return Builder::tr("a name in double quotes is expected here.");
     case rapidjson::kParseErrorObjectMissColon:
-        return JsonDocumentText::tr("a colon is expected here, between a name and its value.");
+        return Builder::tr("a colon is expected here, between a name and its value.");
     case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
-        return JsonDocumentText::tr("a comma or a closing } is expected here.");
+        return Builder::tr("a comma or a closing } is expected here.");
     case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
-        return JsonDocumentText::tr("a comma or a closing ] is expected here.");
+        return Builder::tr("a comma or a closing ] is expected here.");
     case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
     case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
     case rapidjson::kParseErrorStringEscapeInvalid:
     case rapidjson::kParseErrorStringMissQuotationMark:
-        return JsonDocumentText::tr("a text in double quotes is not valid; it must end on its own line, and "
-                                    "only \" \\ / b f n r t u may follow a \\.");
+        return Builder::tr("a text in double quotes is not valid; it must end on its own line, and "
+                           "only \" \\ / b f n r t u may follow a \\.");
     case rapidjson::kParseErrorStringInvalidEncoding:
-        return JsonDocumentText::tr("a text has bytes that are not UTF-8; save the file as UTF-8.");
+        return Builder::tr("a text has bytes that are not UTF-8; save the file as UTF-8.");
     case rapidjson::kParseErrorNumberTooBig:
-        return JsonDocumentText::tr("a number is too large; the largest is %1.").arg("1.8e308");
+        return Builder::tr("a number is too large; the largest is %1.").arg("1.8e308");
     case rapidjson::kParseErrorNumberMissFraction:
     case rapidjson::kParseErrorNumberMissExponent:
-        return JsonDocumentText::tr("a number is not complete; write it as 0.5 or 5e-1.");
+        return Builder::tr("a number is not complete; write it as 0.5 or 5e-1.");
     default:
-        return JsonDocumentText::tr(
+        return Builder::tr(
             "this is not JSON; a value is a number, a \"text\", true, false, null, a [list] or an "
             "{object}.");
     }
@@ -248,12 +242,11 @@ JsonValue parseJson(const QByteArray &text, const QString &name)
     const qsizetype start = text.startsWith("\xEF\xBB\xBF") ? 3 : 0;
     if (const qsizetype zero = text.indexOf('\0'); zero >= 0)
         throw UserError(
-            JsonDocumentText::tr("%1: line %2: there is a zero byte; an experiment is JSON text in UTF-8.")
+            Builder::tr("%1: line %2: there is a zero byte; an experiment is JSON text in UTF-8.")
                 .arg(file, QString::number(1 + std::count(text.begin(), text.begin() + zero, '\n'))));
     const auto body = QByteArray::fromRawData(text.constData() + start, text.size() - start);
     if (std::all_of(body.begin(), body.end(), [](char c) { return QChar::isSpace(uchar(c)); }))
-        throw UserError(
-            JsonDocumentText::tr("%1: line 1: the file is empty; an experiment begins with {.").arg(file));
+        throw UserError(Builder::tr("%1: line 1: the file is empty; an experiment begins with {.").arg(file));
 
     rapidjson::MemoryStream stream(body.constData(), std::size_t(body.size()));
     Builder builder(body, stream);
@@ -266,11 +259,10 @@ JsonValue parseJson(const QByteArray &text, const QString &name)
         return builder.takeRoot();
     QString why = builder.error();
     if (why.isEmpty())
-        why =
-            stream.Tell() >= std::size_t(body.size())
-                ? JsonDocumentText::tr("the file ends here too early; the rest of the experiment is missing.")
-                : whatIsWrong(result.Code());
-    throw UserError(JsonDocumentText::tr("%1: line %2: %3").arg(file, QString::number(builder.line()), why));
+        why = stream.Tell() >= std::size_t(body.size())
+                  ? Builder::tr("the file ends here too early; the rest of the experiment is missing.")
+                  : whatIsWrong(result.Code());
+    throw UserError(Builder::tr("%1: line %2: %3").arg(file, QString::number(builder.line()), why));
 }
 
 }

@@ -20,15 +20,6 @@ namespace {
 const QString galleryFormat = QStringLiteral("springstep-gallery/1");
 const QString galleryEnding = QStringLiteral(".json");
 
-QByteArray pngOf(const QImage &picture)
-{
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    picture.save(&buffer, "PNG");
-    return png;
-}
-
 QByteArray textOfKept(const KeptExperiment &kept)
 {
     JsonWriter json(1);
@@ -70,6 +61,15 @@ QByteArray contentOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? file.read(2 * largestExperiment) : QByteArray();
 }
 
+}
+
+QByteArray pngOf(const QImage &picture)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    return png;
 }
 
 QString galleryFolder()

@@ -21,6 +21,8 @@ struct KeptExperiment
     QByteArray experiment = {}; ///< the text of an experiment file
 };
 
+/// Returns a picture as the content of a PNG file.
+QByteArray pngOf(const QImage &picture);
 /// Returns the folder of the learner's gallery.
 QString galleryFolder();
 

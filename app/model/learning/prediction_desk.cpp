@@ -1,5 +1,6 @@
 #include "app/model/learning/prediction_desk.h"
 
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/run/same_run.h"
 #include "app/model/text/sentences.h"
@@ -8,7 +9,6 @@
 
 #include <QScopedValueRollback>
 
-#include <algorithm>
 #include <utility>
 
 namespace app {
@@ -30,9 +30,7 @@ QString PredictionDesk::keyOf(const QString &id) const
 
 const lessons::Prediction *PredictionDesk::find(const QString &id) const
 {
-    const std::vector<lessons::Prediction> &all = m_session.step().predictions;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto &one) { return one.id == id; });
-    return found == all.end() ? nullptr : &*found;
+    return findById(m_session.step().predictions, id);
 }
 
 PredictionDesk::Sheet PredictionDesk::sheet(const QString &id) const

@@ -1,5 +1,6 @@
 #include "app/model/learning/project_desk.h"
 
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/project_start.h"
 
@@ -123,13 +124,11 @@ void ProjectDesk::judge(const QString &lesson, const QString &level)
     const Experiment *scene = startOf(lesson);
     if (!scene)
         return;
-    const auto &levels = projectOf(lesson)->levels;
-    const auto found =
-        std::find_if(levels.begin(), levels.end(), [&](const auto &one) { return one.id == level; });
+    const lessons::ProjectLevel *found = findById(projectOf(lesson)->levels, level);
     const auto [place, step] = placeOf(lesson);
     const std::optional<Experiment> built =
         isAtPlace(lesson) ? m_session.experiment() : m_session.experimentOf(place, step);
-    if (found == levels.end())
+    if (!found)
         return;
     cancel();
     const LessonEntry *where = m_session.library().lesson(place);

@@ -1,6 +1,7 @@
 #include "app/model/learning/project_judge.h"
 
 #include "app/model/breakpoints/condition.h"
+#include "app/model/breakpoints/condition_names.h"
 #include "app/model/breakpoints/condition_tokens.h"
 #include "app/model/learning/project_numbers.h"
 #include "app/model/learning/run_setup.h"
@@ -26,11 +27,6 @@ namespace app {
 namespace {
 
 using When = lessons::ProjectDemand::When;
-
-struct ProjectJudgeText
-{
-    Q_DECLARE_TR_FUNCTIONS(ProjectJudge)
-};
 
 constexpr std::size_t trialTrackBudget = 1 << 20; ///< bytes: the run is computed once, forwards
 constexpr double roughly = 10.0;                  ///< smaller numbers are shown with more digits
@@ -59,6 +55,8 @@ const sim::BlueprintPoint *pointCalled(const sim::Values &values, const std::str
 /// Judges a trial before and while its run is computed.
 class Judge
 {
+    Q_DECLARE_TR_FUNCTIONS(ProjectJudge)
+
 public:
     explicit Judge(const ProjectTrial &trial)
         : m_trial(trial), m_level(trial.level), m_met(m_level.demands.size(), false)
@@ -73,8 +71,7 @@ public:
     QString sentenceBeforeRun() const
     {
         if (m_trial.hasDraft)
-            return ProjectJudgeText::tr(
-                "Not yet: the run does not use what you have written. Mend its mistakes first.");
+            return tr("Not yet: the run does not use what you have written. Mend its mistakes first.");
         for (const QString &name : m_level.unchanged) {
             const QString sentence = sentenceIfChanged(name);
             if (!sentence.isEmpty())
@@ -84,8 +81,7 @@ public:
         for (const QString &id : m_level.effects) {
             if (std::none_of(scene.effects.begin(), scene.effects.end(),
                              [&](const sim::EffectPtr &one) { return one->id() == id.toStdString(); }))
-                return ProjectJudgeText::tr("Not yet: this level needs %1. Switch it on.")
-                    .arg(quoted(titleOf(id)));
+                return tr("Not yet: this level needs %1. Switch it on.").arg(quoted(titleOf(id)));
         }
         for (const QString &body : bodiesOfLevel()) {
             if (scene.find(body.toStdString()) < 0)
@@ -143,8 +139,7 @@ private:
 
     static QString noBody(const QString &body)
     {
-        return ProjectJudgeText::tr(
-                   "Not yet: your scene has no body %1, which this level is about. Undo, or start again.")
+        return tr("Not yet: your scene has no body %1, which this level is about. Undo, or start again.")
             .arg(quoted(body));
     }
 
@@ -156,7 +151,7 @@ private:
             if (built.has(id) && built[id] == start[id])
                 return {};
             const lessons::Parameter *parameter = m_trial.step->parameter(name);
-            return ProjectJudgeText::tr("Not yet: this level asks you to leave %1 at %2.")
+            return tr("Not yet: this level asks you to leave %1 at %2.")
                 .arg(quoted(parameter ? parameter->name : name), exactNumber(start[id]));
         }
         const sim::BlueprintPoint *was = pointCalled(start, id), *is = pointCalled(built, id);
@@ -167,20 +162,16 @@ private:
             return noBody(name);
         if (*is == *was)
             return {};
-        return ProjectJudgeText::tr(
-                   "Not yet: this level asks you to leave %1 as it was: place, speed, mass and size. Undo, "
-                   "or start again.")
+        return tr("Not yet: this level asks you to leave %1 as it was: place, speed, mass and size. Undo, "
+                  "or start again.")
             .arg(withinSentence(bodyTitle(name)));
     }
 
     void compile(const sim::Script &script, const sim::Track &track)
     {
         const std::shared_ptr<const sim::ComposedInterval> next = track.nextInterval();
-        ConditionNames names{next->scene, script.values, next->pipeline};
-        for (const lessons::Parameter &parameter : m_trial.step->parameters) {
-            if (!parameter.choices.isEmpty())
-                names.choices[parameter.id] = parameter.choices;
-        }
+        ConditionNames names{next->scene, script.values, next->pipeline,
+                             condition_names::choicesOf(*m_trial.step)};
         for (const QString &number : projectNumbers())
             names.variables[number] = QStringLiteral("double");
         for (const lessons::ProjectDemand &demand : m_level.demands)
@@ -222,7 +213,7 @@ private:
             if (!number)
                 continue;
             const int decimals = *number == std::round(*number) ? 0 : std::abs(*number) < roughly ? 3 : 1;
-            all << ProjectJudgeText::tr("%1 is %2").arg(name, fixedNumber(*number, decimals));
+            all << tr("%1 is %2").arg(name, fixedNumber(*number, decimals));
         }
         return all.join(QStringLiteral(", "));
     }
@@ -248,9 +239,8 @@ private:
         ProjectVerdict result;
         result.frame = track.cursor().frame;
         result.met.assign(m_met.size(), false);
-        result.sentence = ProjectJudgeText::tr("Not yet: the run stops in frame %1. %2")
-                              .arg(result.frame + 1)
-                              .arg(endSentence(track));
+        result.sentence =
+            tr("Not yet: the run stops in frame %1. %2").arg(result.frame + 1).arg(endSentence(track));
         return result;
     }
 
@@ -275,16 +265,15 @@ private:
         const QString said = numbers.isEmpty() ? demand.sentence : withRemark(demand.sentence, numbers);
         switch (demand.when) {
         case When::atTheStart:
-            return ProjectJudgeText::tr("Not yet: at the start, this does not hold: %1.").arg(said);
+            return tr("Not yet: at the start, this does not hold: %1.").arg(said);
         case When::always:
-            return ProjectJudgeText::tr("Not yet: in frame %1, this does not hold: %2.").arg(frame, said);
+            return tr("Not yet: in frame %1, this does not hold: %2.").arg(frame, said);
         case When::once:
-            return ProjectJudgeText::tr("Not yet: up to frame %1, this never happens: %2.").arg(frame, said);
+            return tr("Not yet: up to frame %1, this never happens: %2.").arg(frame, said);
         case When::atTheEnd:
             break;
         }
-        return ProjectJudgeText::tr("Not yet: at the end, in frame %1, this does not hold: %2.")
-            .arg(frame, said);
+        return tr("Not yet: at the end, in frame %1, this does not hold: %2.").arg(frame, said);
     }
 
     const ProjectTrial &m_trial;
@@ -315,7 +304,7 @@ std::optional<ProjectVerdict> judgeProject(const ProjectTrial &trial, const std:
             return ProjectVerdict{.sentence = sentence};
         return judge.run(report, shouldContinue);
     } catch (const sim::Error &error) { // of the learner's scene with the changes of the level
-        return ProjectVerdict{.sentence = ProjectJudgeText::tr("Not yet: %1").arg(sentenceFor(error))};
+        return ProjectVerdict{.sentence = Judge::tr("Not yet: %1").arg(sentenceFor(error))};
     }
 }
 

@@ -1,6 +1,7 @@
 #include "app/model/learning/recall_desk.h"
 
 #include "app/model/breakpoints/breakpoint_monitor.h"
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/run/same_run.h"
@@ -167,10 +168,8 @@ const lessons::RecallQuestion *RecallDesk::question() const
     const LessonEntry *of = lesson();
     if (!of)
         return nullptr;
-    const std::vector<lessons::RecallQuestion> &all = of->recall.questions;
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [this](const auto &one) { return one.id == m_question && one.task; });
-    return found == all.end() ? nullptr : &*found;
+    const lessons::RecallQuestion *found = findById(of->recall.questions, m_question);
+    return found && found->task ? found : nullptr;
 }
 
 void RecallDesk::followStep()

@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 
 #include <cmath>
-#include <utility>
 
 namespace app {
 
@@ -139,12 +138,8 @@ int FollowedRun::point(const QString &body) const
 
 ConditionNames FollowedRun::names() const
 {
-    ConditionNames names{scene(), m_track.interval().values, m_track.interval().pipeline};
-    for (const lessons::Parameter &parameter : m_step.parameters) {
-        if (!parameter.choices.isEmpty())
-            names.choices[parameter.id] = parameter.choices;
-    }
-    return names;
+    return {scene(), m_track.interval().values, m_track.interval().pipeline,
+            condition_names::choicesOf(m_step)};
 }
 
 std::optional<RunEnd> runToEnd(FollowedRun &run, const lessons::RunSetup &setup,

@@ -1,6 +1,7 @@
 #include "app/model/lesson_folders/lesson_check.h"
 
 #include "app/listing/listing_method.h"
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/project_judge.h"
@@ -25,11 +26,6 @@ namespace app {
 
 namespace {
 
-struct LessonCheckText
-{
-    Q_DECLARE_TR_FUNCTIONS(LessonCheckText)
-};
-
 using Kind = LessonFinding::Kind;
 
 constexpr int idleFrames = 600; ///< in which nothing may be done without the learner
@@ -38,6 +34,8 @@ constexpr double least = 1e-3;  ///< of a curve's range: two curves that differ 
 /// Checks one lesson, thing by thing.
 class LessonChecker
 {
+    Q_DECLARE_TR_FUNCTIONS(LessonCheckText)
+
 public:
     LessonChecker(const LessonFiles &files, const LessonEntry &lesson, const LessonLibrary &library,
                   const sim::ShouldContinue &shouldContinue)
@@ -59,7 +57,7 @@ public:
         for (const lessons::RecallQuestion &one : m_lesson.recall.questions) {
             note(Kind::question, {}, one.id, [&] {
                 return one.task ? checkQuestion(*one.task)
-                                : Result{true, LessonCheckText::tr("has %1 choices").arg(one.choices.size())};
+                                : Result{true, tr("has %1 choices").arg(one.choices.size())};
             });
         }
         if (m_lesson.project) {
@@ -110,7 +108,7 @@ private:
             const listing::Compiled compiled = listing::Program::compile(
                 step.listing.text.toStdString(), listing::vocabularyOf(sim::sceneOf(script, script.values)));
             if (!compiled.program)
-                return {false, LessonCheckText::tr("the listing does not compile")};
+                return {false, tr("the listing does not compile")};
             script.method = step.script().method;
             sim::Track own(script, 0);
             script.method = std::make_shared<const listing::ListingMethod>(compiled.program);
@@ -119,7 +117,7 @@ private:
                 own.seek({frame, 0});
                 written.seek({frame, 0});
                 if (own.cursor() != written.cursor())
-                    return {false, LessonCheckText::tr("one of them stops in frame %1").arg(frame)};
+                    return {false, tr("one of them stops in frame %1").arg(frame)};
                 const Eigen::ArrayX2d difference = (own.state().position - written.state().position).abs();
                 Eigen::Index row = 0, column = 0;
                 const double most = difference.maxCoeff(&row, &column);
@@ -127,7 +125,7 @@ private:
                     return {false, differenceOf(step, script, static_cast<int>(row), frame, most)};
             }
         }
-        return {true, LessonCheckText::tr("same motion as %1").arg(step.method)};
+        return {true, tr("same motion as %1").arg(step.method)};
     }
 
     /// Returns what a writer should know about a listing that moves `point` otherwise than the method of its step.
@@ -143,15 +141,14 @@ private:
         }
         const QString body = QString::fromStdString(name);
         const QString sentence =
-            LessonCheckText::tr("the listing moves %1 otherwise than the method %2: %3 px apart in frame %4 "
-                                "of a trial run")
+            tr("the listing moves %1 otherwise than the method %2: %3 px apart in frame %4 "
+               "of a trial run")
                 .arg(quoted(body), step.method, roughNumber(away))
                 .arg(frame);
-        return held == name
-                   ? LessonCheckText::tr("%1, in which the hand holds it. Every body can be held: write "
-                                         "“if (%2.held) %2.position = hand;”, and leave the forces out then")
-                         .arg(sentence, body)
-                   : sentence;
+        return held == name ? tr("%1, in which the hand holds it. Every body can be held: write "
+                                 "“if (%2.held) %2.position = hand;”, and leave the forces out then")
+                                  .arg(sentence, body)
+                            : sentence;
     }
 
     void checkTries(const lessons::Step &step)
@@ -161,9 +158,8 @@ private:
             const lessons::Try &one = step.tries[i];
             note(Kind::thing, step.id, one.id, [&]() -> Result {
                 if (idle[i] >= 0)
-                    return {false, LessonCheckText::tr(
-                                       "it is done in frame %1 without the learner; add a condition such as "
-                                       "“- begun: released()”")
+                    return {false, tr("it is done in frame %1 without the learner; add a condition such as "
+                                      "“- begun: released()”")
                                        .arg(idle[i])};
                 return checkSolution(one, solutionOf(step.id, one.id), step);
             });
@@ -190,23 +186,22 @@ private:
     lessons::RunSetup solutionOf(const QString &step, const QString &id) const
     {
         const lessons::Document document = lessons::parseDocument(m_files.content(step + ".md"), step);
-        const auto found = std::find_if(document.tries.begin(), document.tries.end(),
-                                        [&](const lessons::TryText &one) { return one.id == id; });
-        return found == document.tries.end() ? lessons::RunSetup() : found->solution;
+        const lessons::TryText *found = findById(document.tries, id);
+        return found ? found->solution : lessons::RunSetup();
     }
 
     Result checkSolution(const lessons::Try &one, const lessons::RunSetup &solution,
                          const lessons::Step &step) const
     {
         if (solution.line == 0)
-            return {false, LessonCheckText::tr("it states no solution; write a “### Solution”")};
+            return {false, tr("it states no solution; write a “### Solution”")};
         sim::Timeline run(scriptFor(solution, step), 0);
         QString todo;
         std::vector<bool> held(one.conditions.all().size());
         for (;;) {
             const std::int64_t frame = run.cursor().frame;
             if (one.isDone(run))
-                return {true, LessonCheckText::tr("done in frame %1").arg(frame)};
+                return {true, tr("done in frame %1").arg(frame)};
             todo = one.conditions.todo(run);
             for (std::size_t i = 0; i < held.size(); ++i)
                 held[i] = held[i] || one.conditions.all()[i].holds(run);
@@ -218,14 +213,11 @@ private:
         }
         const QString frames = QString::number(run.cursor().frame);
         if (std::find(held.begin(), held.end(), false) == held.end())
-            return {false,
-                    LessonCheckText::tr("its solution does not do it in %1 frames: each condition holds in "
-                                        "some frame, but they never all hold in the same one")
-                        .arg(frames)};
-        return {false,
-                todo.isEmpty()
-                    ? LessonCheckText::tr("its solution does not do it in %1 frames").arg(frames)
-                    : LessonCheckText::tr("its solution does not do it in %1 frames: %2").arg(frames, todo)};
+            return {false, tr("its solution does not do it in %1 frames: each condition holds in "
+                              "some frame, but they never all hold in the same one")
+                               .arg(frames)};
+        return {false, todo.isEmpty() ? tr("its solution does not do it in %1 frames").arg(frames)
+                                      : tr("its solution does not do it in %1 frames: %2").arg(frames, todo)};
     }
 
     Result checkPrediction(const lessons::Prediction &prediction, const lessons::Step &step) const
@@ -234,23 +226,23 @@ private:
         if (!truth)
             return {};
         if (!truth->isReached)
-            return {false, LessonCheckText::tr("its condition does not hold up to frame %1").arg(truth->end)};
-        const QString end = LessonCheckText::tr("ends in frame %1").arg(truth->end);
+            return {false, tr("its condition does not hold up to frame %1").arg(truth->end)};
+        const QString end = tr("ends in frame %1").arg(truth->end);
         switch (prediction.question.kind) {
         case lessons::Question::Kind::place:
             return {
                 std::isfinite(truth->answer.place.x + truth->answer.place.y),
-                LessonCheckText::tr("%1, at (%2, %3)")
+                tr("%1, at (%2, %3)")
                     .arg(end, fixedNumber(truth->answer.place.x, 1), fixedNumber(truth->answer.place.y, 1))};
         case lessons::Question::Kind::number:
             return {std::isfinite(truth->answer.number),
-                    LessonCheckText::tr("%1, with %2").arg(end, roughNumber(truth->answer.number))};
+                    tr("%1, with %2").arg(end, roughNumber(truth->answer.number))};
         case lessons::Question::Kind::curve:
             break;
         }
         for (std::size_t i = 1; i < truth->curves.size(); ++i) {
             if (looksTheSame(truth->curves[0], truth->curves[i]))
-                return {false, LessonCheckText::tr("two of its curves look the same")};
+                return {false, tr("two of its curves look the same")};
         }
         return {true, end};
     }
@@ -272,9 +264,9 @@ private:
         if (!solution || !empty)
             return {};
         if (solution->kind != Verdict::Kind::right)
-            return {false, LessonCheckText::tr("the listing itself does not pass")};
+            return {false, tr("the listing itself does not pass")};
         if (empty->kind == Verdict::Kind::right)
-            return {false, LessonCheckText::tr("the empty place passes")};
+            return {false, tr("the empty place passes")};
         for (std::size_t i = 0; i < task.nearMisses.size(); ++i) {
             const lessons::NearMiss &miss = task.nearMisses[i];
             const auto verdict = judged(listing.with(miss.gap.isEmpty() ? task.id : miss.gap, miss.code));
@@ -282,30 +274,28 @@ private:
                 return {};
             if (verdict->kind != Verdict::Kind::nearMiss || verdict->nearMiss != static_cast<int>(i))
                 return {false,
-                        LessonCheckText::tr("near miss %1 is not told from the others or from the solution")
-                            .arg(i + 1)};
+                        tr("near miss %1 is not told from the others or from the solution").arg(i + 1)};
         }
-        return {true, LessonCheckText::tr("passes, with %1 near misses").arg(task.nearMisses.size())};
+        return {true, tr("passes, with %1 near misses").arg(task.nearMisses.size())};
     }
 
     Result checkQuestion(const lessons::RecallTask &task) const
     {
         if (task.solution.line == 0)
-            return {false, LessonCheckText::tr("it states no solution; write a “### Solution”")};
+            return {false, tr("it states no solution; write a “### Solution”")};
         const LessonEntry *lesson = m_library.lesson(task.setup.step.section('/', 0, 0));
         const lessons::Step *step = lesson ? lesson->step(task.setup.step.section('/', 1)) : nullptr;
         if (!step)
-            return {false, LessonCheckText::tr("there is no step %1").arg(quoted(task.setup.step))};
+            return {false, tr("there is no step %1").arg(quoted(task.setup.step))};
         FollowedRun run(*step, scriptWith(task.solution, *step, scriptFor(task.setup, *step)));
         lessons::RunSetup setup = task.setup;
         setup.frames = task.solution.frames;
         const auto end = runToEnd(run, setup, m_shouldContinue);
         if (!end)
             return {};
-        return {end->isReached,
-                end->isReached
-                    ? LessonCheckText::tr("done in frame %1").arg(end->frame)
-                    : LessonCheckText::tr("its solution does not do it in %1 frames").arg(end->frame)};
+        return {end->isReached, end->isReached
+                                    ? tr("done in frame %1").arg(end->frame)
+                                    : tr("its solution does not do it in %1 frames").arg(end->frame)};
     }
 
     Result checkLevel(const lessons::ProjectLevel &level) const
@@ -319,15 +309,14 @@ private:
         if (!unchanged)
             return {};
         if (unchanged->isPassed())
-            return {false, LessonCheckText::tr("the start scene passes")};
+            return {false, tr("the start scene passes")};
         const QString file = QStringLiteral("project_%1.json").arg(level.id);
         if (!m_files.has(file))
-            return {false, LessonCheckText::tr("it states no solution; save one as %1").arg(file)};
+            return {false, tr("it states no solution; save one as %1").arg(file)};
         const auto verdict = judged(sceneFrom(file).script);
         if (!verdict)
             return {};
-        return {verdict->isPassed(),
-                verdict->isPassed() ? LessonCheckText::tr("%1 passes").arg(file) : verdict->sentence};
+        return {verdict->isPassed(), verdict->isPassed() ? tr("%1 passes").arg(file) : verdict->sentence};
     }
 
     Experiment sceneFrom(const QString &file) const

@@ -2,6 +2,7 @@
 
 #include "app/listing/limits.h"
 #include "app/listing/program.h"
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/experiment/json_fields.h"
 #include "app/model/learning/recall_desk.h"
 #include "app/model/lesson_folders/lesson_languages.h"
@@ -17,7 +18,6 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
-#include <QSet>
 #include <QStringDecoder>
 
 #include <algorithm>
@@ -39,16 +39,6 @@ constexpr qsizetype longestSummary = 300; ///< characters
 const QString description = QStringLiteral("lesson.json");
 const QString projectScene = QStringLiteral("project.json");
 const QString projectPrefix = QStringLiteral("project_"); ///< solutions of levels: project_LEVEL.json
-
-QString textIn(const QByteArray &content, const QString &file)
-{
-    QStringDecoder decoder(QStringDecoder::Utf8);
-    QString text = decoder(content);
-    if (decoder.hasError())
-        throw UserError(
-            LessonFolderText::tr("%1: this is not UTF-8. Save the file with the encoding UTF-8.").arg(file));
-    return text.remove('\r');
-}
 
 /// Returns the error's sentence as one line, shortened if it quotes a long text of the document.
 QString sentenceOf(const lessons::DocumentError &error)
@@ -107,8 +97,7 @@ public:
             const lessons::Document shownTexts = document(documentFile(id));
             static_cast<void>(declaredParameters(own, shownTexts)); // they are the same
             for (lessons::ParameterText text : own.parameters) {
-                const auto same = std::find_if(shownTexts.parameters.begin(), shownTexts.parameters.end(),
-                                               [&](const auto &one) { return one.id == text.id; });
+                const lessons::ParameterText *same = findById(shownTexts.parameters, text.id);
                 text.name = same->name;
                 text.help = same->help;
                 if (!same->unit.isEmpty())
@@ -336,6 +325,17 @@ private:
                                 .arg(shown(file), id));
     }
 
+    static QString textIn(const QByteArray &content, const QString &file)
+    {
+        QStringDecoder decoder(QStringDecoder::Utf8);
+        QString text = decoder(content);
+        if (decoder.hasError())
+            throw UserError(
+                LessonFolderText::tr("%1: this is not UTF-8. Save the file with the encoding UTF-8.")
+                    .arg(file));
+        return text.remove('\r');
+    }
+
     void readListing(const QString &id, lessons::Step &step) const
     {
         const QString file = id + QStringLiteral(".code");
@@ -401,9 +401,8 @@ private:
     static void takeSolutions(lessons::Document &texts, const lessons::Document &own)
     {
         for (lessons::TryText &text : texts.tries) {
-            const auto same = std::find_if(own.tries.begin(), own.tries.end(),
-                                           [&](const lessons::TryText &one) { return one.id == text.id; });
-            if (same == own.tries.end())
+            const lessons::TryText *same = findById(own.tries, text.id);
+            if (!same)
                 continue; // setTexts() says so
             if (text.doneWhen.empty())
                 text.doneWhen = same->doneWhen;

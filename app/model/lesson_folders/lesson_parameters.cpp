@@ -2,6 +2,7 @@
 
 #include "app/listing/language.h"
 #include "app/listing/vocabulary.h"
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/sandbox/blueprint_limits.h"
 #include "app/model/text/quoting.h"
 #include "sim/run/script/script.h"
@@ -40,12 +41,6 @@ const QStringList &takenWords()
 [[noreturn]] void reject(const lessons::Document &document, int line, const QString &why)
 {
     throw lessons::DocumentError(document.file, line, why);
-}
-
-template <class Texts>
-auto withId(const Texts &texts, const QString &id)
-{
-    return std::find_if(texts.begin(), texts.end(), [&id](const auto &one) { return one.id == id; });
 }
 
 bool isWhole(double value)
@@ -111,7 +106,7 @@ void checkSameNumber(const lessons::Document &shown, const lessons::ParameterTex
 void checkTranslation(const lessons::Document &own, const lessons::Document &shown)
 {
     for (const lessons::ParameterText &text : own.parameters) {
-        if (withId(shown.parameters, text.id) == shown.parameters.end())
+        if (!findById(shown.parameters, text.id))
             reject(shown, 1,
                    LessonParametersText::tr(
                        "the parameter “%1” is missing. Write “## Parameter: name {#%1}”, and a "
@@ -119,8 +114,8 @@ void checkTranslation(const lessons::Document &own, const lessons::Document &sho
                        .arg(text.id));
     }
     for (const lessons::ParameterText &text : shown.parameters) {
-        const auto same = withId(own.parameters, text.id);
-        if (same == own.parameters.end())
+        const lessons::ParameterText *same = findById(own.parameters, text.id);
+        if (!same)
             reject(shown, text.line,
                    LessonParametersText::tr("%1 declares no parameter “%2”. Remove it here, or add it there.")
                        .arg(own.file, text.id));
@@ -273,7 +268,7 @@ std::vector<lessons::Parameter> declaredParameters(const lessons::Document &own,
     checkTranslation(own, shown);
     std::vector<lessons::Parameter> parameters;
     for (const lessons::ParameterText &text : own.parameters)
-        parameters.push_back(parameterFrom(text, *withId(shown.parameters, text.id)));
+        parameters.push_back(parameterFrom(text, *findById(shown.parameters, text.id)));
     return parameters;
 }
 
@@ -317,8 +312,7 @@ void takeValues(std::vector<lessons::Parameter> &parameters, const lessons::Docu
         }
         if (!value)
             continue;
-        auto parameter = std::find_if(parameters.begin(), parameters.end(),
-                                      [&text](const lessons::Parameter &one) { return one.id == text.id; });
+        lessons::Parameter *parameter = findById(parameters, text.id);
         if (*value < parameter->min || *value > parameter->max || (parameter->isInteger && !isWhole(*value)))
             reject(own, text.sets->line,
                    LessonParametersText::tr(

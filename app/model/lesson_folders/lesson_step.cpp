@@ -1,6 +1,7 @@
 #include "app/model/lesson_folders/lesson_step.h"
 
 #include "app/model/breakpoints/condition.h"
+#include "app/model/breakpoints/condition_names.h"
 #include "app/model/breakpoints/condition_tokens.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/text/sentences.h"
@@ -22,11 +23,6 @@
 namespace app {
 
 namespace {
-
-struct LessonStepText
-{
-    Q_DECLARE_TR_FUNCTIONS(LessonStepText)
-};
 
 /// The parts of a scene that are not parameters. A step of a lesson without C++ has them from its scene file.
 struct OwnScene
@@ -96,16 +92,6 @@ void beginWith(lessons::Step &step, const sim::Script &script)
 
 using Choices = std::map<QString, QStringList>;
 
-Choices choicesOf(const lessons::Step &step)
-{
-    Choices choices;
-    for (const lessons::Parameter &parameter : step.parameters) {
-        if (!parameter.choices.isEmpty())
-            choices[parameter.id] = parameter.choices;
-    }
-    return choices;
-}
-
 ConditionNames namesIn(const sim::Timeline &run, const Choices &choices)
 {
     return {run.track().interval().scene, run.values(), run.track().nextInterval()->pipeline, choices, {}};
@@ -135,9 +121,11 @@ QString comparedIn(const QString &condition)
 /// Makes a condition of a thing to try from a line of its document.
 class ConditionMaker
 {
+    Q_DECLARE_TR_FUNCTIONS(LessonStepText)
+
 public:
     ConditionMaker(const lessons::Document &document, const lessons::Step &step)
-        : m_document(document), m_choices(choicesOf(step)), m_run(step.script(), 0)
+        : m_document(document), m_choices(condition_names::choicesOf(step)), m_run(step.script(), 0)
     {
     }
 
@@ -171,8 +159,8 @@ private:
         if (number.isEmpty())
             throw lessons::DocumentError(
                 m_document.file, item.line,
-                LessonStepText::tr("%1 stands for a number, and this condition does not compare one. Write a "
-                                   "comparison with the number on its left, or a sentence without %1."));
+                tr("%1 stands for a number, and this condition does not compare one. Write a "
+                   "comparison with the number on its left, or a sentence without %1."));
         return [number, choices = m_choices](const sim::Timeline &run) {
             try {
                 return MomentNumber::parse(number, namesIn(run, choices)).at(momentOf(run));
@@ -263,7 +251,7 @@ std::vector<lessons::Check> checksOf(const lessons::Document &document, const le
         if (text.doneWhen.empty())
             throw lessons::DocumentError(
                 document.file, text.line,
-                LessonStepText::tr("nothing says when the thing to try “%1” is done. Write a “### Done when” "
+                ConditionMaker::tr("nothing says when the thing to try “%1” is done. Write a “### Done when” "
                                    "with a list, as in “- pulled: released(%2)”.")
                     .arg(text.id, QString::fromStdString(step.scene(step.defaultValues()).names.front())));
         std::vector<lessons::Condition> conditions;

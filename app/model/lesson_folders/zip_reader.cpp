@@ -5,7 +5,6 @@
 #include "app/model/text/user_error.h"
 
 #include <QCoreApplication>
-#include <QSet>
 #include <QStringDecoder>
 
 #include <zlib.h>
@@ -19,11 +18,6 @@ namespace app {
 
 namespace {
 
-struct ZipText
-{
-    Q_DECLARE_TR_FUNCTIONS(ZipText)
-};
-
 // The layout of a zip: PKWARE's APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.16.
 constexpr quint32 localSign = 0x04034b50, centralSign = 0x02014b50, endSign = 0x06054b50;
 constexpr qsizetype localSize = 30, centralSize = 46, endSize = 22;
@@ -36,6 +30,8 @@ constexpr quint32 typeOfFile = 0170000, isLink = 0120000; ///< of the mode that 
 /// Numbers of a zip, with the lowest byte first.
 class ZipBytes
 {
+    Q_DECLARE_TR_FUNCTIONS(ZipText)
+
 public:
     ZipBytes(const QByteArray &bytes, const QString &name) : m_bytes(bytes), m_name(name) {}
 
@@ -43,7 +39,7 @@ public:
 
     [[noreturn]] void refuseDamaged() const
     {
-        refuse(ZipText::tr("the zip is damaged. Get it again, or make a new zip of the folder."));
+        refuse(tr("the zip is damaged. Get it again, or make a new zip of the folder."));
     }
 
     quint32 number(qsizetype at, int size) const
@@ -72,7 +68,7 @@ public:
             if (number(at, 4) == endSign)
                 return at;
         }
-        refuse(ZipText::tr("this is not a zip, or its end is missing. Get it again."));
+        refuse(tr("this is not a zip, or its end is missing. Get it again."));
     }
 
 private:
@@ -91,6 +87,8 @@ struct ZipEntry
 /// Reads the files of a zip.
 class ZipReader
 {
+    Q_DECLARE_TR_FUNCTIONS(ZipText)
+
 public:
     ZipReader(const QByteArray &zip, const QString &name, const ZipLimits &limits)
         : m_bytes(zip, name), m_limits(limits)
@@ -105,11 +103,11 @@ public:
         for (const ZipEntry &entry : m_entries) {
             const QString name = entry.path.mid(folder.size());
             if (name.contains('/'))
-                m_bytes.refuse(ZipText::tr("%1 is in a folder. All files of a lesson are side by side.")
-                                   .arg(quoted(entry.path)));
+                m_bytes.refuse(
+                    tr("%1 is in a folder. All files of a lesson are side by side.").arg(quoted(entry.path)));
             if (!files.try_emplace(name, contentOf(entry)).second)
                 m_bytes.refuse(
-                    ZipText::tr("%1 is there twice. Make a new zip of the folder.").arg(quoted(entry.path)));
+                    tr("%1 is there twice. Make a new zip of the folder.").arg(quoted(entry.path)));
         }
         return files;
     }
@@ -120,7 +118,7 @@ private:
         const qsizetype end = m_bytes.end();
         const quint32 count = m_bytes.number(end + 10, 2);
         if (m_bytes.number(end + 4, 2) != 0 || m_bytes.number(end + 8, 2) != count || count == 0xffff)
-            m_bytes.refuse(ZipText::tr("the zip has several parts, or is too large for a lesson."));
+            m_bytes.refuse(tr("the zip has several parts, or is too large for a lesson."));
         qsizetype at = m_bytes.number(end + 16, 4);
         qsizetype all = 0;
         for (quint32 i = 0; i < count; ++i) {
@@ -131,10 +129,9 @@ private:
             all += entry.size;
             m_entries.push_back(entry);
             if (m_entries.size() > m_limits.files)
-                m_bytes.refuse(ZipText::tr("the zip has more than %1 files.").arg(m_limits.files));
+                m_bytes.refuse(tr("the zip has more than %1 files.").arg(m_limits.files));
             if (all > m_limits.all)
-                m_bytes.refuse(
-                    ZipText::tr("the files are larger than %1 MiB together.").arg(m_limits.all >> 20));
+                m_bytes.refuse(tr("the files are larger than %1 MiB together.").arg(m_limits.all >> 20));
         }
     }
 
@@ -155,7 +152,7 @@ private:
         QStringDecoder decoder(QStringDecoder::Utf8);
         entry.path = decoder(m_bytes.slice(at + centralSize, nameSize));
         if (decoder.hasError())
-            m_bytes.refuse(ZipText::tr("the name of a file is not UTF-8. Give it a name without accents."));
+            m_bytes.refuse(tr("the name of a file is not UTF-8. Give it a name without accents."));
         at += centralSize + nameSize + m_bytes.number(at + 30, 2) + m_bytes.number(at + 32, 2);
         return entry;
     }
@@ -165,30 +162,27 @@ private:
         const QString &path = entry.path;
         const QStringList parts = path.split('/');
         if (path.startsWith('/') || path.contains('\\') || path.contains(':') || parts.contains(".."))
-            m_bytes.refuse(ZipText::tr("%1 leads out of the lesson. This zip is not safe; nothing was read.")
-                               .arg(quoted(path)));
+            m_bytes.refuse(
+                tr("%1 leads out of the lesson. This zip is not safe; nothing was read.").arg(quoted(path)));
         if ((entry.mode & typeOfFile) == isLink)
-            m_bytes.refuse(ZipText::tr("%1 is a link. Put the file itself into the zip.").arg(quoted(path)));
+            m_bytes.refuse(tr("%1 is a link. Put the file itself into the zip.").arg(quoted(path)));
         if (entry.flags & isEncrypted)
-            m_bytes.refuse(ZipText::tr("%1 has a password. Make a zip without one.").arg(quoted(path)));
+            m_bytes.refuse(tr("%1 has a password. Make a zip without one.").arg(quoted(path)));
         if (entry.method != stored && entry.method != deflated)
-            m_bytes.refuse(
-                ZipText::tr("%1 is packed in a way that this program cannot read. Make a usual zip.")
-                    .arg(quoted(path)));
+            m_bytes.refuse(tr("%1 is packed in a way that this program cannot read. Make a usual zip.")
+                               .arg(quoted(path)));
         if (entry.size == elsewhere || entry.packed == elsewhere || entry.local == elsewhere)
-            m_bytes.refuse(
-                ZipText::tr("%1 is packed as ZIP64, which is for very large files. Make a usual zip.")
-                    .arg(quoted(path)));
+            m_bytes.refuse(tr("%1 is packed as ZIP64, which is for very large files. Make a usual zip.")
+                               .arg(quoted(path)));
         if (entry.size > m_limits.file)
-            m_bytes.refuse(
-                ZipText::tr("%1 is larger than %2 MiB.").arg(quoted(path)).arg(m_limits.file >> 20));
+            m_bytes.refuse(tr("%1 is larger than %2 MiB.").arg(quoted(path)).arg(m_limits.file >> 20));
     }
 
     /// Returns the folder that all files are in, with its slash. Empty if there is none.
     QString sharedFolder() const
     {
         if (m_entries.empty())
-            m_bytes.refuse(ZipText::tr("the zip is empty."));
+            m_bytes.refuse(tr("the zip is empty."));
         const QString folder = m_entries.front().path.section('/', 0, 0) + '/';
         const bool isShared = std::all_of(m_entries.begin(), m_entries.end(), [&](const ZipEntry &entry) {
             return entry.path.startsWith(folder);
@@ -229,10 +223,9 @@ private:
             state = inflate(&stream, Z_NO_FLUSH);
             content.append(piece.data(), static_cast<qsizetype>(piece.size() - stream.avail_out));
             if (content.size() > entry.size)
-                m_bytes.refuse(
-                    ZipText::tr("%1 is larger than the zip says. This zip is not safe; nothing was "
-                                "read.")
-                        .arg(quoted(entry.path)));
+                m_bytes.refuse(tr("%1 is larger than the zip says. This zip is not safe; nothing was "
+                                  "read.")
+                                   .arg(quoted(entry.path)));
         }
         if (state != Z_STREAM_END)
             m_bytes.refuseDamaged();

@@ -4,7 +4,6 @@
 #include "app/model/listing/assigned_paths.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace app {
 

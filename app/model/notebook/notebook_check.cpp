@@ -1,5 +1,6 @@
 #include "app/model/notebook/notebook_check.h"
 
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/project_judge.h"
@@ -16,17 +17,11 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <chrono>
 
 namespace app {
 
 namespace {
-
-struct NotebookCheckText
-{
-    Q_DECLARE_TR_FUNCTIONS(NotebookCheckText)
-};
 
 using Kind = NotebookEntry::Kind;
 using Result = NotebookFinding::Result;
@@ -34,12 +29,6 @@ using Result = NotebookFinding::Result;
 constexpr std::chrono::seconds longestReplay{30};
 constexpr std::size_t replayBudget = 16 << 20; ///< bytes of keyframes
 constexpr std::int64_t replaySlice = 32;       ///< output steps between two questions whether to go on
-
-template <class List>
-const auto &withId(const List &list, const QString &id)
-{
-    return *std::find_if(list.begin(), list.end(), [&](const auto &one) { return one.id == id; });
-}
 
 NotebookFinding notShown(const QString &why)
 {
@@ -49,6 +38,8 @@ NotebookFinding notShown(const QString &why)
 /// A replay of one entry.
 class EntryCheck
 {
+    Q_DECLARE_TR_FUNCTIONS(NotebookCheckText)
+
 public:
     EntryCheck(const NotebookEntry &entry, const LessonLibrary &library,
                const sim::ShouldContinue &shouldContinue)
@@ -63,8 +54,7 @@ public:
             const std::optional<NotebookFinding> finding = findOrThrow();
             if (finding || m_isCancelled)
                 return finding;
-            return notShown(
-                NotebookCheckText::tr("Its run takes more than %1 s to replay.").arg(longestReplay.count()));
+            return notShown(tr("Its run takes more than %1 s to replay.").arg(longestReplay.count()));
         } catch (const UserError &error) {
             return notShown(error.sentence());
         } catch (const sim::Error &error) {
@@ -84,8 +74,7 @@ private:
         if (question && !question->task)
             return findChoice(*question);
         if (m_entry.kind == Kind::code ? m_entry.code.isEmpty() : m_entry.run.text.isEmpty())
-            return NotebookFinding{Result::noRun,
-                                   NotebookCheckText::tr("It was ticked by a version that kept no runs.")};
+            return NotebookFinding{Result::noRun, tr("It was ticked by a version that kept no runs.")};
         switch (m_entry.kind) {
         case Kind::tried:
             return findTry();
@@ -110,7 +99,7 @@ private:
         return !m_isCancelled && std::chrono::steady_clock::now() - m_begun < longestReplay;
     }
 
-    static QString otherStep() { return NotebookCheckText::tr("Its run is of another step."); }
+    static QString otherStep() { return tr("Its run is of another step."); }
 
     Experiment experimentIn(const QByteArray &text) const
     {
@@ -152,7 +141,7 @@ private:
         }
         if (!replay(run))
             return std::nullopt;
-        const lessons::Try &one = withId(m_step->tries, m_entry.id);
+        const lessons::Try &one = *findById(m_step->tries, m_entry.id);
         const auto noTime = [](const sim::Script &, std::int64_t) { return 0.0; };
         const auto isDone = [&] {
             return one.isDone(run) &&
@@ -167,13 +156,12 @@ private:
             return NotebookFinding{};
         const QString todo = one.conditions.todo(run);
         const QString why = notDone(run);
-        return notShown(todo.isEmpty() ? why
-                                       : why + ' ' + NotebookCheckText::tr("Still to do: %1").arg(todo));
+        return notShown(todo.isEmpty() ? why : why + ' ' + tr("Still to do: %1").arg(todo));
     }
 
     static QString notDone(const sim::Timeline &run)
     {
-        return NotebookCheckText::tr("At frame %1 its run does not do it.").arg(run.cursor().frame);
+        return tr("At frame %1 its run does not do it.").arg(run.cursor().frame);
     }
 
     /// Replays the run that answers a recall question.
@@ -195,28 +183,24 @@ private:
     {
         const lessons::RecallChoice *said = question.choice(m_entry.said);
         if (!said)
-            return notShown(NotebookCheckText::tr("Its answer cannot be read."));
+            return notShown(tr("Its answer cannot be read."));
         const bool isRight = question.isRight(m_entry.said);
         // Sentences that become parts of a sentence lose their full stop.
         const QString words = oneLine(said->text), right = oneLine(question.choices[question.right].text);
         if (m_entry.isRight != isRight)
-            return notShown(
-                NotebookCheckText::tr("The notebook counts “%1” as %2, but the answer of the lesson is “%3”.")
-                    .arg(words, rightWord(), right));
+            return notShown(tr("The notebook counts “%1” as %2, but the answer of the lesson is “%3”.")
+                                .arg(words, rightWord(), right));
         if (isRight)
             return {Result::right};
-        return {Result::off, NotebookCheckText::tr("“%1” was said; it is “%2”.").arg(words, right)};
+        return {Result::off, tr("“%1” was said; it is “%2”.").arg(words, right)};
     }
 
     /// Returns what the notebook says about an answer.
-    QString rightWord() const
-    {
-        return m_entry.isRight ? NotebookCheckText::tr("right") : NotebookCheckText::tr("not right");
-    }
+    QString rightWord() const { return m_entry.isRight ? tr("right") : tr("not right"); }
 
     std::optional<NotebookFinding> findCode()
     {
-        const lessons::CodeTask &task = withId(m_step->codeTasks, m_entry.id);
+        const lessons::CodeTask &task = *findById(m_step->codeTasks, m_entry.id);
         const std::optional<Verdict> verdict =
             judge(*m_step, task, m_entry.code, [this] { return goesOn(); });
         if (!verdict)
@@ -232,7 +216,7 @@ private:
         if (built.lesson != start.lesson || built.step != start.step)
             return notShown(otherStep());
         const lessons::Step *place = m_library.lesson(start.lesson)->step(start.step);
-        const ProjectTrial trial{withId(m_lesson.project->levels, m_entry.id), place, start.script,
+        const ProjectTrial trial{*findById(m_lesson.project->levels, m_entry.id), place, start.script,
                                  built.script};
         const std::optional<ProjectVerdict> verdict = judgeProject(trial, {}, [this] { return goesOn(); });
         if (!verdict)
@@ -242,7 +226,7 @@ private:
 
     std::optional<NotebookFinding> findPrediction()
     {
-        const lessons::Prediction &prediction = withId(m_step->predictions, m_entry.id);
+        const lessons::Prediction &prediction = *findById(m_step->predictions, m_entry.id);
         const lessons::Question &question = prediction.question;
         const std::optional<PredictionTruth> truth =
             truthOf(prediction, *m_step, [this] { return goesOn(); });
@@ -251,19 +235,17 @@ private:
         const QString computed = notedAnswer(question, truth->answer);
         const std::optional<PredictedAnswer> said = answerInNote(question, m_entry.said);
         if (!said)
-            return notShown(NotebookCheckText::tr("Its answer cannot be read."));
+            return notShown(tr("Its answer cannot be read."));
         const bool isRight = isGood(question, *said, truth->answer);
         if (m_entry.found != computed || m_entry.isRight != isRight)
-            return notShown(
-                m_entry.isRight != isRight
-                    ? NotebookCheckText::tr("The notebook counts “%1” as %2, but the run gives “%3”.")
-                          .arg(m_entry.said, rightWord(), computed)
-                    : NotebookCheckText::tr("The notebook says that the run gives “%1”, but it gives “%2”.")
-                          .arg(m_entry.found, computed));
+            return notShown(m_entry.isRight != isRight
+                                ? tr("The notebook counts “%1” as %2, but the run gives “%3”.")
+                                      .arg(m_entry.said, rightWord(), computed)
+                                : tr("The notebook says that the run gives “%1”, but it gives “%2”.")
+                                      .arg(m_entry.found, computed));
         if (isRight)
             return NotebookFinding{Result::right};
-        return NotebookFinding{
-            Result::off, NotebookCheckText::tr("“%1” was said; it is “%2”.").arg(m_entry.said, computed)};
+        return NotebookFinding{Result::off, tr("“%1” was said; it is “%2”.").arg(m_entry.said, computed)};
     }
 
     const NotebookEntry &m_entry;

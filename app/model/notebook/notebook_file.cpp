@@ -1,5 +1,6 @@
 #include "app/model/notebook/notebook_file.h"
 
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/experiment/json_fields.h"
 #include "app/model/files/whole_file.h"
@@ -12,16 +13,9 @@
 #include <QFileInfo>
 #include <QSet>
 
-#include <algorithm>
-
 namespace app {
 
 namespace {
-
-struct NotebookFileText
-{
-    Q_DECLARE_TR_FUNCTIONS(NotebookFileText)
-};
 
 using Kind = NotebookEntry::Kind;
 
@@ -255,25 +249,19 @@ private:
         return run;
     }
 
-    template <class List>
-    static bool hasId(const List &list, const QString &id)
-    {
-        return std::any_of(list.begin(), list.end(), [&](const auto &one) { return one.id == id; });
-    }
-
     bool isKnown(const LessonEntry &lesson, const lessons::Step *step, const NotebookEntry &entry) const
     {
         switch (entry.kind) {
         case Kind::tried:
-            return hasId(step->tries, entry.id);
+            return findById(step->tries, entry.id);
         case Kind::code:
-            return hasId(step->codeTasks, entry.id);
+            return findById(step->codeTasks, entry.id);
         case Kind::prediction:
-            return hasId(step->predictions, entry.id);
+            return findById(step->predictions, entry.id);
         case Kind::answer:
             return notebookQuestion(lesson, entry.step, entry.id).has_value();
         case Kind::level:
-            return lesson.project && hasId(lesson.project->levels, entry.id);
+            return lesson.project && findById(lesson.project->levels, entry.id);
         case Kind::scene:
             break;
         }
@@ -316,7 +304,7 @@ Notebook parseNotebook(const QByteArray &text, const QString &name, const Lesson
 {
     if (text.contains('\0'))
         throw UserError(
-            NotebookFileText::tr("%1: this is not a notebook; a notebook is text in UTF-8.").arg(name));
+            NotebookReader::tr("%1: this is not a notebook; a notebook is text in UTF-8.").arg(name));
     const JsonValue root = parseJson(text, name);
     return NotebookReader(name, root, library).read();
 }
@@ -332,8 +320,8 @@ QByteArray notebookText(const Notebook &notebook)
     const QByteArray text = contentOf(notebook, RunText::packed, sealOf(notebook));
     if (notebook.entries.size() > Notebook::mostEntries || text.size() > largestNotebook)
         throw UserError(
-            NotebookFileText::tr("The notebook would be too large. Choose fewer lessons, or leave out "
-                                 "the gallery."));
+            NotebookReader::tr("The notebook would be too large. Choose fewer lessons, or leave out "
+                               "the gallery."));
     return text;
 }
 

@@ -1,11 +1,12 @@
 #include "app/model/notebook/notebook_page.h"
 
+#include "app/model/catalog/find_by_id.h"
+#include "app/model/files/gallery.h"
 #include "app/model/learning/prediction_text.h"
 #include "app/model/notebook/notebook_question.h"
 #include "app/model/text/pdf.h"
 #include "app/model/text/phrases.h"
 
-#include <QBuffer>
 #include <QCoreApplication>
 #include <QFont>
 #include <QLocale>
@@ -17,11 +18,6 @@
 namespace app {
 
 namespace {
-
-struct NotebookPageText
-{
-    Q_DECLARE_TR_FUNCTIONS(NotebookPageText)
-};
 
 using Kind = NotebookEntry::Kind;
 
@@ -73,7 +69,7 @@ public:
             addParagraph(tr("Nothing is done yet.").toHtmlEscaped());
         for (std::size_t i = 0; i < m_library.entries(); ++i)
             addLesson(m_library.entry(i));
-        addScenes();
+        addSection(2, tr("Built and kept"), [](const auto &entry) { return entry.kind == Kind::scene; });
         return m_html;
     }
 
@@ -102,28 +98,29 @@ private:
             return;
         addHeading(2, lesson.title);
         for (const lessons::Step &step : lesson.steps)
-            addSection(step.title, lesson, [&](const NotebookEntry &entry) { return entry.step == step.id; });
-        addSection(lesson.recall.title, lesson, [](const NotebookEntry &entry) {
-            return entry.kind == Kind::answer && entry.step.isEmpty();
+            addSection(3, step.title,
+                       [&](const auto &entry) { return isHere(entry) && entry.step == step.id; });
+        addSection(3, lesson.recall.title, [&](const auto &entry) {
+            return isHere(entry) && entry.kind == Kind::answer && entry.step.isEmpty();
         });
         if (lesson.project)
-            addSection(tr("Project: %1").arg(lesson.project->title), lesson,
-                       [](const NotebookEntry &entry) { return entry.kind == Kind::level; });
+            addSection(3, tr("Project: %1").arg(lesson.project->title),
+                       [&](const auto &entry) { return isHere(entry) && entry.kind == Kind::level; });
     }
 
-    /// Adds the entries of `lesson` that `isIn` chooses below a heading; nothing if there are none.
+    /// Adds the entries that `isIn` chooses below a heading; nothing if there are none.
     template <class IsIn>
-    void addSection(const QString &heading, const LessonEntry &lesson, const IsIn &isIn)
+    void addSection(int level, const QString &heading, const IsIn &isIn)
     {
         bool isFirst = true;
         for (const NotebookEntry &entry : m_notebook.entries) {
-            if (entry.kind == Kind::scene || entry.lesson != lesson.id || !isIn(entry))
+            if (!isIn(entry))
                 continue;
             if (isFirst)
-                addHeading(3, heading);
+                addHeading(level, heading);
             isFirst = false;
             m_html += QStringLiteral("<div class=\"entry\">\n");
-            addEntry(lesson, entry);
+            addEntry(*m_library.lesson(entry.lesson), entry);
             m_html += QStringLiteral("</div>\n");
         }
     }
@@ -147,44 +144,22 @@ private:
             addAnswer(lesson, entry);
             break;
         case Kind::scene:
+            addParagraph(QStringLiteral("<b>%1</b>").arg(entry.id.toHtmlEscaped()));
+            addMoment(entry);
             break;
         }
     }
 
-    void addScenes()
-    {
-        bool isFirst = true;
-        for (const NotebookEntry &entry : m_notebook.entries) {
-            if (entry.kind != Kind::scene)
-                continue;
-            if (isFirst)
-                addHeading(2, tr("Built and kept"));
-            isFirst = false;
-            m_html += QStringLiteral("<div class=\"entry\">\n");
-            addParagraph(QStringLiteral("<b>%1</b>").arg(entry.id.toHtmlEscaped()));
-            addMoment(entry);
-            m_html += QStringLiteral("</div>\n");
-        }
-    }
-
-    template <class List>
-    static const auto *withThatId(const List &list, const QString &id)
-    {
-        const auto found =
-            std::find_if(list.begin(), list.end(), [&](const auto &one) { return one.id == id; });
-        return found == list.end() ? nullptr : &*found;
-    }
-
     void addTry(const lessons::Step &step, const NotebookEntry &entry)
     {
-        if (const lessons::Try *one = withThatId(step.tries, entry.id))
+        if (const lessons::Try *one = findById(step.tries, entry.id))
             addParagraph(QStringLiteral("✓ ") + htmlOf(one->text));
         addMoment(entry);
     }
 
     void addPrediction(const lessons::Step &step, const NotebookEntry &entry)
     {
-        const lessons::Prediction *one = withThatId(step.predictions, entry.id);
+        const lessons::Prediction *one = findById(step.predictions, entry.id);
         if (!one)
             return;
         addParagraph(htmlOf(one->text));
@@ -235,7 +210,7 @@ private:
 
     void addCode(const lessons::Step &step, const NotebookEntry &entry)
     {
-        if (const lessons::CodeTask *task = withThatId(step.codeTasks, entry.id))
+        if (const lessons::CodeTask *task = findById(step.codeTasks, entry.id))
             addParagraph(
                 QStringLiteral("✓ <b>%1</b> %2").arg(task->title.toHtmlEscaped(), htmlOf(task->text)));
         if (!entry.code.isEmpty())
@@ -246,7 +221,7 @@ private:
     void addLevel(const LessonEntry &lesson, const NotebookEntry &entry)
     {
         const lessons::ProjectLevel *level =
-            lesson.project ? withThatId(lesson.project->levels, entry.id) : nullptr;
+            lesson.project ? findById(lesson.project->levels, entry.id) : nullptr;
         if (level)
             addParagraph(QStringLiteral("✓ <b>%1</b>").arg(level->title.toHtmlEscaped()));
         addMoment(entry);
@@ -271,16 +246,12 @@ private:
         const QImage picture = m_picture && !entry.run.text.isEmpty() ? m_picture(entry) : QImage();
         if (picture.isNull())
             return;
-        QByteArray png;
-        QBuffer buffer(&png);
-        buffer.open(QIODevice::WriteOnly);
-        picture.save(&buffer, "PNG");
         const QSizeF size = picture.deviceIndependentSize();
-        m_html +=
-            QStringLiteral(
-                "<p><img width=\"%1\" height=\"%2\" alt=\"%3\" src=\"data:image/png;base64,%4\"></p>\n")
-                .arg(QString::number(size.width()), QString::number(size.height()),
-                     tr("The scene at that moment").toHtmlEscaped(), QString::fromLatin1(png.toBase64()));
+        m_html += QStringLiteral(
+                      "<p><img width=\"%1\" height=\"%2\" alt=\"%3\" src=\"data:image/png;base64,%4\"></p>\n")
+                      .arg(QString::number(size.width()), QString::number(size.height()),
+                           tr("The scene at that moment").toHtmlEscaped(),
+                           QString::fromLatin1(pngOf(picture).toBase64()));
     }
 
     const Notebook &m_notebook;

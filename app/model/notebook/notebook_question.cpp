@@ -1,21 +1,14 @@
 #include "app/model/notebook/notebook_question.h"
 
-#include <algorithm>
+#include "app/model/catalog/find_by_id.h"
 
 namespace app {
 
 namespace {
 
-template <class List>
-const auto *askedIn(const List &list, const QString &id)
-{
-    const auto found = std::find_if(list.begin(), list.end(), [&](const auto &one) { return one.id == id; });
-    return found == list.end() ? nullptr : &*found;
-}
-
 std::optional<NotebookQuestion> recallQuestion(const LessonEntry &lesson, const QString &id)
 {
-    const lessons::RecallQuestion *one = askedIn(lesson.recall.questions, id);
+    const lessons::RecallQuestion *one = findById(lesson.recall.questions, id);
     if (!one)
         return std::nullopt;
     return NotebookQuestion{one->text, one->choices, 0, one->task ? &*one->task : nullptr};
@@ -36,7 +29,7 @@ std::optional<NotebookQuestion> notebookQuestion(const LessonEntry &lesson, cons
     if (step.isEmpty())
         return recallQuestion(lesson, id);
     const lessons::Step *place = lesson.step(step);
-    const lessons::Try *one = place ? askedIn(place->tries, id) : nullptr;
+    const lessons::Try *one = place ? findById(place->tries, id) : nullptr;
     if (!one || one->choices.isEmpty())
         return std::nullopt;
     NotebookQuestion question{one->text, {}, static_cast<std::size_t>(one->choices.right)};

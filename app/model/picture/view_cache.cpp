@@ -7,7 +7,7 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t most = 4;
+constexpr std::size_t mostViews = 4;
 
 }
 
@@ -23,7 +23,7 @@ ViewCache::of(const lessons::Step &step, const sim::Script &script,
     if (!script.effectsOff.empty())
         dropLinks(view, script.build(interval->values).effects, interval->scene.effects);
     m_made.push_back({interval, std::make_shared<const lessons::View>(std::move(view))});
-    if (m_made.size() > most)
+    if (m_made.size() > mostViews)
         m_made.pop_front();
     return m_made.back().view;
 }

@@ -1,5 +1,6 @@
 #include "app/model/run/branches.h"
 
+#include "app/model/catalog/find_by_id.h"
 #include "app/model/run/same_run.h"
 #include "app/model/text/phrases.h"
 
@@ -12,22 +13,13 @@ namespace app {
 
 const Branch *Branches::find(int id) const
 {
-    const auto found =
-        std::find_if(m_all.begin(), m_all.end(), [&](const Branch &one) { return one.id == id; });
-    return found == m_all.end() ? nullptr : &*found;
+    return findById(m_all, id);
 }
 
 const Branch *Branches::find(const sim::Script &script) const
 {
     const auto found = std::find_if(m_all.begin(), m_all.end(),
                                     [&](const Branch &one) { return sameScript(*one.script, script); });
-    return found == m_all.end() ? nullptr : &*found;
-}
-
-Branch *Branches::changeable(int id)
-{
-    const auto found =
-        std::find_if(m_all.begin(), m_all.end(), [&](const Branch &one) { return one.id == id; });
     return found == m_all.end() ? nullptr : &*found;
 }
 
@@ -66,7 +58,7 @@ void Branches::settle(const sim::Script &script)
 
 void Branches::rename(int id, const QString &name)
 {
-    Branch *branch = changeable(id);
+    Branch *branch = findById(m_all, id);
     if (!branch || name.trimmed().isEmpty())
         return;
     branch->name = ownName(name.simplified(), id);
@@ -75,7 +67,7 @@ void Branches::rename(int id, const QString &name)
 
 void Branches::keep(int id, bool kept)
 {
-    if (Branch *branch = changeable(id))
+    if (Branch *branch = findById(m_all, id))
         branch->isKept = kept;
     limit();
 }
@@ -137,8 +129,8 @@ std::int64_t firstDifferent(const sim::Script &a, const sim::Script &b)
 
 std::int64_t lastShared(const sim::Script &a, const sim::Script &b)
 {
-    const std::int64_t row = a.step.framesPerOutput;
-    return std::max<std::int64_t>(0, firstDifferent(a, b) - 1) / row * row;
+    const std::int64_t output = a.step.framesPerOutput;
+    return std::max<std::int64_t>(0, firstDifferent(a, b) - 1) / output * output;
 }
 
 }

@@ -75,7 +75,6 @@ public:
     friend bool operator==(const Branches &, const Branches &) = default;
 
 private:
-    Branch *changeable(int id);
     QString ownName(const QString &name, int id) const;
 
     std::vector<Branch> m_all;

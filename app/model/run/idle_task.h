@@ -15,6 +15,9 @@ public:
     using Work = std::function<void(double milliseconds)>;
 
     explicit IdleTask(Work work);
+    /// Does the work piece by piece: calls `next`, which returns false if nothing is left, and `changed` after each slice
+    /// in which something was done.
+    IdleTask(std::function<bool()> next, std::function<void()> changed);
 
     /// Runs one full slice now.
     void run() { m_work(whole); }

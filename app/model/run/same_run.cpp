@@ -3,9 +3,6 @@
 #include "app/model/run/run_program.h"
 #include "sim/pipeline/method.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace app {
 
 namespace {

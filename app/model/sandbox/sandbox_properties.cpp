@@ -8,19 +8,33 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace app {
 
-using namespace named;
-
 namespace {
+
+using Ranges = PropertyRanges;
 
 struct SandboxPropertiesText
 {
     Q_DECLARE_TR_FUNCTIONS(SandboxPropertiesText)
 };
+
+/// Returns the property as a parameter that a field can show.
+lessons::Parameter parameterOf(const PropertyRange &named)
+{
+    lessons::Parameter parameter;
+    parameter.id = QString::fromLatin1(named.id);
+    parameter.name = Ranges::tr(named.name);
+    parameter.unit = Ranges::tr(named.unit);
+    parameter.help = Ranges::tr(named.help);
+    parameter.min = parameter.sliderMin = named.span.min;
+    parameter.max = parameter.sliderMax = named.span.max;
+    parameter.decimals = named.decimals;
+    return parameter;
+}
 
 /// Returns a property of the selected parts in one list. `parts(plan)` is the list, and `numbers(chosen)` are the
 /// selected indices. `read(part)` and `write(part, value)` access the property of one part.
@@ -31,10 +45,10 @@ SandboxProperty propertyOf(lessons::Parameter about, Parts parts, Numbers number
     property.about = std::move(about);
     property.get = [=](const sim::Blueprint &plan, const Selection &chosen) -> std::optional<double> {
         std::optional<double> common;
-        for (const int one : numbers(chosen)) {
-            if (std::size_t(one) >= parts(plan).size())
+        for (const int one : std::invoke(numbers, chosen)) {
+            if (std::size_t(one) >= std::invoke(parts, plan).size())
                 return {};
-            const double value = read(parts(plan)[std::size_t(one)]);
+            const double value = read(std::invoke(parts, plan)[std::size_t(one)]);
             if (common && *common != value)
                 return {};
             common = value;
@@ -42,25 +56,25 @@ SandboxProperty propertyOf(lessons::Parameter about, Parts parts, Numbers number
         return common;
     };
     property.set = [=](sim::Blueprint &plan, const Selection &chosen, double value) {
-        for (const int one : numbers(chosen)) {
-            if (std::size_t(one) >= parts(plan).size())
+        for (const int one : std::invoke(numbers, chosen)) {
+            if (std::size_t(one) >= std::invoke(parts, plan).size())
                 return;
-            write(parts(plan)[std::size_t(one)], value);
+            write(std::invoke(parts, plan)[std::size_t(one)], value);
         }
     };
     return property;
 }
 
-/// Returns the same for a property that is a data member of the part: `field(part)`.
+/// Returns the same for a property that is a data member `field` of the part.
 template <class Parts, class Numbers, class Field>
 SandboxProperty propertyOf(const PropertyRange &named, Parts parts, Numbers numbers, Field field)
 {
-    const auto read = [field](auto part) { return static_cast<double>(field(part)); };
+    const auto read = [field](auto part) { return static_cast<double>(std::invoke(field, part)); };
     const auto write = [field](auto &part, double value) {
-        auto &number = field(part);
+        auto &number = std::invoke(field, part);
         number = static_cast<std::remove_reference_t<decltype(number)>>(value);
     };
-    return propertyOf(parameterOf(named, 0.0), parts, numbers, read, write);
+    return propertyOf(parameterOf(named), parts, numbers, read, write);
 }
 
 /// Returns a coordinate property that also updates the links of the points that it moves, as a drag does.
@@ -78,30 +92,6 @@ SandboxProperty placed(SandboxProperty coordinate)
     };
     return coordinate;
 }
-
-const auto pointsOf = [](auto &plan) -> auto &
-{
-    return plan.points;
-};
-const auto springsOf = [](auto &plan) -> auto &
-{
-    return plan.springs;
-};
-const auto sticksOf = [](auto &plan) -> auto &
-{
-    return plan.sticks;
-};
-const auto feetOf = [](auto &plan) -> auto &
-{
-    return plan.feet;
-};
-const auto gaitsOf = [](auto &plan) -> auto &
-{
-    return plan.gaits;
-};
-const auto chosenPoints = [](const Selection &chosen) { return chosen.points; };
-const auto chosenSprings = [](const Selection &chosen) { return chosen.springs; };
-const auto chosenSticks = [](const Selection &chosen) { return chosen.sticks; };
 
 /// Collects properties and gives each its section.
 class Collector
@@ -134,25 +124,22 @@ QString titleOf(const sim::Blueprint &plan, int point)
 void addPoints(Collector &all, const sim::Blueprint &plan, const Selection &chosen)
 {
     const auto of = [](const PropertyRange &named, auto field) {
-        return propertyOf(named, pointsOf, chosenPoints, field);
+        return propertyOf(named, &sim::Blueprint::points, &Selection::points, field);
     };
     const std::size_t count = chosen.points.size();
     all.begin(count == 1 ? SandboxPropertiesText::tr("Point %1").arg(titleOf(plan, chosen.points.front()))
                          : pointCount(static_cast<std::int64_t>(count)));
     all.add(placed(of(
-        x(), [](auto &point) -> auto & { return point.x.x; })));
+        Ranges::x, [](auto &point) -> auto & { return point.x.x; })));
     all.add(placed(of(
-        y(), [](auto &point) -> auto & { return point.x.y; })));
+        Ranges::y, [](auto &point) -> auto & { return point.x.y; })));
+    all.add(of(Ranges::mass, &sim::BlueprintPoint::mass));
+    all.add(of(Ranges::size, &sim::BlueprintPoint::size));
+    all.addTruth(of(Ranges::fixed, &sim::BlueprintPoint::fixed));
     all.add(of(
-        mass(), [](auto &point) -> auto & { return point.mass; }));
+        Ranges::vx, [](auto &point) -> auto & { return point.v.x; }));
     all.add(of(
-        size(), [](auto &point) -> auto & { return point.size; }));
-    all.addTruth(of(
-        fixed(), [](auto &point) -> auto & { return point.fixed; }));
-    all.add(of(
-        vx(), [](auto &point) -> auto & { return point.v.x; }));
-    all.add(of(
-        vy(), [](auto &point) -> auto & { return point.v.y; }));
+        Ranges::vy, [](auto &point) -> auto & { return point.v.y; }));
 }
 
 /// Adds the point properties that effects read, while these effects are in the scene.
@@ -166,7 +153,8 @@ void addSettings(Collector &all, const sim::Blueprint &plan, sim::EffectList kno
             const auto write = [&parameter](auto &point, double value) {
                 sim::setValue(point, parameter, value);
             };
-            all.add(propertyOf(lessons::parameterFromSpec(parameter), pointsOf, chosenPoints, read, write));
+            all.add(propertyOf(lessons::parameterFromSpec(parameter), &sim::Blueprint::points,
+                               &Selection::points, read, write));
         }
     }
 }
@@ -176,10 +164,10 @@ void addSprings(Collector &all, const Selection &chosen)
     const std::size_t count = chosen.springs.size();
     all.begin(count == 1 ? SandboxPropertiesText::tr("Spring")
                          : SandboxPropertiesText::tr("%1 springs").arg(count));
-    all.add(propertyOf(
-        stiffness(), springsOf, chosenSprings, [](auto &one) -> auto & { return one.k; }));
-    all.add(propertyOf(
-        length(), springsOf, chosenSprings, [](auto &one) -> auto & { return one.length; }));
+    all.add(propertyOf(Ranges::stiffness, &sim::Blueprint::springs, &Selection::springs,
+                       &sim::BlueprintSpring::k));
+    all.add(propertyOf(Ranges::length, &sim::Blueprint::springs, &Selection::springs,
+                       &sim::BlueprintSpring::length));
 }
 
 void addSticks(Collector &all, const Selection &chosen)
@@ -187,10 +175,10 @@ void addSticks(Collector &all, const Selection &chosen)
     const std::size_t count = chosen.sticks.size();
     all.begin(count == 1 ? SandboxPropertiesText::tr("Stick")
                          : SandboxPropertiesText::tr("%1 sticks").arg(count));
-    all.add(propertyOf(
-        length(), sticksOf, chosenSticks, [](auto &one) -> auto & { return one.length; }));
-    all.add(propertyOf(
-        share(), sticksOf, chosenSticks, [](auto &one) -> auto & { return one.share; }));
+    all.add(propertyOf(Ranges::length, &sim::Blueprint::sticks, &Selection::sticks,
+                       &sim::BlueprintStick::length));
+    all.add(
+        propertyOf(Ranges::share, &sim::Blueprint::sticks, &Selection::sticks, &sim::BlueprintStick::share));
 }
 
 void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
@@ -200,35 +188,22 @@ void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
     const int gait = one.gait;
     const auto theGait = [gait](const Selection &) { return std::vector<int>{gait}; };
     const auto ofGait = [&](const PropertyRange &named, auto field) {
-        return propertyOf(named, gaitsOf, theGait, field);
+        return propertyOf(named, &sim::Blueprint::gaits, theGait, field);
     };
     all.begin(SandboxPropertiesText::tr("Foot of %1").arg(titleOf(plan, one.body)));
-    all.add(propertyOf(
-        angle(), feetOf, theFoot, [](auto &leg) -> auto & { return leg.angle; }));
-    const double last = double(plan.gaits.size()) - 1.0;
-    SandboxProperty group = propertyOf(
-        {"gait",
-         SandboxPropertiesText::tr("Group"),
-         {},
-         SandboxPropertiesText::tr("The gait group: its feet share one clock."),
-         {0.0, last},
-         0},
-        feetOf, theFoot, [](auto &leg) -> auto & { return leg.gait; });
+    all.add(propertyOf(Ranges::angle, &sim::Blueprint::feet, theFoot, &sim::BlueprintFoot::angle));
+    PropertyRange groups = Ranges::group;
+    groups.span.max = double(plan.gaits.size()) - 1.0;
+    SandboxProperty group = propertyOf(groups, &sim::Blueprint::feet, theFoot, &sim::BlueprintFoot::gait);
     group.about.isInteger = true;
     all.add(std::move(group));
     all.begin(SandboxPropertiesText::tr("Gait group %1").arg(gait));
-    all.add(ofGait(
-        stiffness(), [](auto &of) -> auto & { return of.k; }));
-    all.add(ofGait(
-        leg(), [](auto &of) -> auto & { return of.leg; }));
-    all.add(ofGait(
-        drop(), [](auto &of) -> auto & { return of.drop; }));
-    all.add(ofGait(
-        gaitSpeed(), [](auto &of) -> auto & { return of.speed; }));
-    all.add(ofGait(
-        gaitStart(), [](auto &of) -> auto & { return of.start; }));
-    all.addTruth(ofGait(
-        pullsBody(), [](auto &of) -> auto & { return of.pullsBody; }));
+    all.add(ofGait(Ranges::stiffness, &sim::BlueprintGait::k));
+    all.add(ofGait(Ranges::leg, &sim::BlueprintGait::leg));
+    all.add(ofGait(Ranges::drop, &sim::BlueprintGait::drop));
+    all.add(ofGait(Ranges::gaitSpeed, &sim::BlueprintGait::speed));
+    all.add(ofGait(Ranges::gaitStart, &sim::BlueprintGait::start));
+    all.addTruth(ofGait(Ranges::pullsBody, &sim::BlueprintGait::pullsBody));
 }
 
 }

@@ -3,25 +3,15 @@
 #include "app/model/text/numbers.h"
 #include "sim/run/script/composed_interval.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
 #include <numeric>
 
 namespace app {
 
-namespace {
-
-constexpr qint64 differenceSlice = 4;
-
-}
-
 DifferenceSeries::DifferenceSeries(const OpenRun &run, const ComparisonRuns &comparisons, QObject *parent)
-    : QObject(parent), m_run(run), m_comparisons(comparisons)
+    : QObject(parent), m_run(run), m_comparisons(comparisons),
+      m_idleTask([this] { return addSample(); }, [this] { emit changed(); })
 {
-    m_timer.setSingleShot(true);
-    m_timer.setInterval(0);
-    connect(&m_timer, &QTimer::timeout, this, &DifferenceSeries::fill);
     run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::selection | ChangeKind::cursor, this,
                  &DifferenceSeries::follow);
 }
@@ -34,7 +24,7 @@ void DifferenceSeries::setActive(bool isActive)
     if (isActive)
         restart();
     else
-        m_timer.stop();
+        m_idleTask.stop();
 }
 
 void DifferenceSeries::setOf(Of of)
@@ -66,7 +56,7 @@ void DifferenceSeries::restart()
         m_isTooLarge = false;
     }
     emit changed();
-    fill();
+    m_idleTask.run();
 }
 
 void DifferenceSeries::follow(const Change &change)
@@ -76,7 +66,7 @@ void DifferenceSeries::follow(const Change &change)
     else if (change.isAny(ChangeKind::run))
         dropFrom(change.firstFrame);
     else if (change.isAny(ChangeKind::cursor))
-        fill();
+        m_idleTask.run();
 }
 
 void DifferenceSeries::dropFrom(std::int64_t frame)
@@ -93,7 +83,7 @@ void DifferenceSeries::dropFrom(std::int64_t frame)
     }
     if (isPast)
         dropAfter(frame - 1);
-    fill();
+    m_idleTask.run();
 }
 
 void DifferenceSeries::dropAfter(std::int64_t frame)
@@ -106,23 +96,6 @@ void DifferenceSeries::dropAfter(std::int64_t frame)
             m_largest = one;
     }
     emit changed();
-}
-
-void DifferenceSeries::fill()
-{
-    if (!m_isActive || !m_branch || !isComparing() || m_isTooLarge)
-        return;
-    QElapsedTimer clock;
-    clock.start();
-    bool any = false;
-    while (!m_isTooLarge && m_next <= end() && (!any || clock.elapsed() < differenceSlice)) {
-        addSample();
-        any = true;
-    }
-    if (!m_isTooLarge && m_next <= end())
-        m_timer.start();
-    if (any)
-        emit changed();
 }
 
 void DifferenceSeries::pairUp(const std::shared_ptr<const sim::ComposedInterval> &one,
@@ -143,8 +116,10 @@ void DifferenceSeries::pairUp(const std::shared_ptr<const sim::ComposedInterval>
     }
 }
 
-void DifferenceSeries::addSample()
+bool DifferenceSeries::addSample()
 {
+    if (!m_isActive || !m_branch || !isComparing() || m_isTooLarge || m_next > end())
+        return false;
     const sim::Track &run = m_run.timeline().track();
     const sim::Track &branch = *m_run.timeline().comparison();
     const std::int64_t frame = m_next;
@@ -152,7 +127,7 @@ void DifferenceSeries::addSample()
     m_isTooLarge = std::max(m_one->scene.start.pointCount(), m_other->scene.start.pointCount()) > mostPoints;
     if (m_isTooLarge) {
         m_samples.clear();
-        return;
+        return true;
     }
     const sim::State one = run.stateAt(frame), other = branch.stateAt(frame);
     const int selected = m_one->scene.find(m_run.selected().toStdString());
@@ -166,12 +141,13 @@ void DifferenceSeries::addSample()
     }
     m_next += m_spacing;
     if (farthest.distance < 0.0)
-        return; // the two runs have no body in common
+        return true; // the two runs have no body in common
     if (m_samples.empty() || farthest.distance > m_largest.distance)
         m_largest = farthest;
     m_samples.push_back(std::move(farthest));
     if (m_samples.size() >= mostSamples)
         thin();
+    return true;
 }
 
 void DifferenceSeries::thin()

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/model/run/idle_task.h"
 #include "app/model/session/comparison_runs.h"
 #include "app/model/session/open_run.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <string>
 #include <vector>
@@ -74,15 +74,15 @@ private:
     /// Drops the samples from `frame` on, because the run has changed there.
     void dropFrom(std::int64_t frame);
     void dropAfter(std::int64_t frame);
-    void fill();
-    void addSample();
+    /// Compares the runs at the next frame. Returns false if there is none.
+    bool addSample();
     void thin();
     void pairUp(const std::shared_ptr<const sim::ComposedInterval> &one,
                 const std::shared_ptr<const sim::ComposedInterval> &other);
 
     const OpenRun &m_run;
     const ComparisonRuns &m_comparisons;
-    QTimer m_timer;
+    IdleTask m_idleTask;
     Of m_of = Of::farthest;
     bool m_isActive = false;
     bool m_isTooLarge = false;

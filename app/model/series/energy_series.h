@@ -1,26 +1,25 @@
 #pragma once
 
 #include "app/model/run/idle_task.h"
+#include "app/model/series/frame_series.h"
 #include "app/model/session/open_run.h"
 #include "app/model/session/playback.h"
 #include "sim/analysis/energy/ledger.h"
 
 #include <QObject>
 
-#include <deque>
-
 namespace app {
 
 /// The energy and momentum balances of the computed output steps, each from a starting frame to its output step. They
 /// are counted in slices of a few milliseconds, and only while they are watched. A change of the run makes the affected
 /// balances be counted again.
-class EnergySeries : public QObject
+class EnergySeries : public QObject, public FrameSeries<sim::Balance>
 {
     Q_OBJECT
 
 public:
     /// The largest number of stored output steps. Longer runs keep the last ones.
-    static constexpr std::size_t mostRows = 20'000;
+    static constexpr std::size_t mostSteps = 20'000;
     /// If the cursor is farther ahead than this, in output steps, counting restarts near it. Counting the whole run
     /// would take too long.
     static constexpr std::int64_t mostAhead = 20'000;
@@ -32,17 +31,8 @@ public:
     void setActive(bool isActive);
     const OpenRun &run() const { return m_run; }
 
-    /// Returns the balance from start() to `frame`; null if it is not counted.
-    const sim::Balance *at(std::int64_t frame) const;
     /// Returns the frame at which counting starts.
     std::int64_t start() const { return m_start; }
-    std::int64_t rowFrames() const { return m_framesPerOutput; }
-    /// Return the frames that have balances: from first() to last(), both included. There are none if last() < first().
-    std::int64_t first() const { return m_first; }
-    std::int64_t last() const
-    {
-        return m_first + (static_cast<std::int64_t>(m_balances.size()) - 1) * m_framesPerOutput;
-    }
     /// Returns why the scene at the cursor has no energy to count. Empty if it has.
     std::optional<sim::NoEnergy> whyNot() const { return m_whyNot; }
 
@@ -59,17 +49,14 @@ private:
     /// Drops the balances from `frame` on, because the run has changed there.
     void dropFrom(std::int64_t frame);
     void fill() { m_idleTask.run(); }
-    void fillFor(double milliseconds);
-    void countNext();
+    /// Counts the next output step. Returns false if there is none.
+    bool countNext();
 
     const OpenRun &m_run;
     const Playback &m_playback;
     sim::Ledger m_ledger;
     IdleTask m_idleTask;
-    std::deque<sim::Balance> m_balances; ///< by output step, from m_first on
     std::int64_t m_start = 0;
-    std::int64_t m_first = 0;
-    int m_framesPerOutput = 1;
     std::optional<sim::NoEnergy> m_whyNot;
     bool m_isActive = false;
     bool m_stale = true; ///< whether the run has changed since it was last watched

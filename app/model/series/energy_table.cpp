@@ -39,7 +39,7 @@ QByteArray rowsOf(const EnergySeries &series, const QByteArray &titles, Write &&
     if (series.last() < series.first())
         return {};
     QByteArray text = quotedField(frameHeading()) + titles + '\n';
-    for (std::int64_t frame = series.first(); frame <= series.last(); frame += series.rowFrames()) {
+    for (std::int64_t frame = series.first(); frame <= series.last(); frame += series.framesPerOutput()) {
         text += QByteArray::number(static_cast<qlonglong>(frame));
         write(text, *series.at(frame));
         text += '\n';

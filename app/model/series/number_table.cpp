@@ -20,11 +20,12 @@ constexpr qsizetype mostText = qsizetype{1} << 18;        ///< bytes that wait t
 
 }
 
-NumberTable::Way::Way(const sim::Script &script, std::int64_t last) : track(script, tableMemory), frames(last)
+NumberTable::SteppedRun::SteppedRun(const sim::Script &script, std::int64_t last)
+    : track(script, tableMemory), frames(last)
 {
 }
 
-bool NumberTable::Way::goTo(std::int64_t frame)
+bool NumberTable::SteppedRun::goTo(std::int64_t frame)
 {
     if (isOver || frame > frames)
         return false;
@@ -35,7 +36,7 @@ bool NumberTable::Way::goTo(std::int64_t frame)
     return !isOver;
 }
 
-void NumberTable::Way::read(const std::vector<Quantity> &quantities, std::span<double> into)
+void NumberTable::SteppedRun::read(const std::vector<Quantity> &quantities, std::span<double> into)
 {
     if (reader.segment() != &track.interval())
         reader = QuantityReader(quantities, track.intervalPtr());
@@ -49,9 +50,9 @@ NumberTable::NumberTable(NumberSheet sheet, const QString &path, QObject *parent
     m_timer.setSingleShot(true);
     m_timer.setInterval(0);
     connect(&m_timer, &QTimer::timeout, this, &NumberTable::writeSlice);
-    m_run = std::make_unique<Way>(m_sheet.run, m_sheet.frames);
+    m_run = std::make_unique<SteppedRun>(m_sheet.run, m_sheet.frames);
     if (m_sheet.comparison && m_sheet.comparison->step.framesPerOutput == m_sheet.run.step.framesPerOutput)
-        m_comparison = std::make_unique<Way>(*m_sheet.comparison, m_sheet.comparisonFrames);
+        m_comparison = std::make_unique<SteppedRun>(*m_sheet.comparison, m_sheet.comparisonFrames);
     m_last = std::max(m_sheet.frames, m_comparison ? m_sheet.comparisonFrames : 0);
     writeTitles();
     m_timer.start();
@@ -113,11 +114,11 @@ void NumberTable::writeRow()
     m_frame += m_run->track.framesPerOutput();
 }
 
-void NumberTable::append(Way &way)
+void NumberTable::append(SteppedRun &run)
 {
     std::vector<double> row(m_sheet.quantities.size(), std::nan(""));
-    if (way.goTo(m_frame))
-        way.read(m_sheet.quantities, row);
+    if (run.goTo(m_frame))
+        run.read(m_sheet.quantities, row);
     for (const double value : row) {
         m_text += ',';
         appendNumber(m_text, value);

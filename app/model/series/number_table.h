@@ -50,9 +50,9 @@ signals:
 
 private:
     /// Steps through the output steps of one run.
-    struct Way
+    struct SteppedRun
     {
-        explicit Way(const sim::Script &script, std::int64_t frames);
+        explicit SteppedRun(const sim::Script &script, std::int64_t frames);
         /// Advances to the output step at `frame`. Returns whether the run reaches it.
         bool goTo(std::int64_t frame);
         void read(const std::vector<Quantity> &quantities, std::span<double> into);
@@ -67,14 +67,14 @@ private:
     void writeTitles();
     void writeSlice();
     void writeRow();
-    void append(Way &way);
+    void append(SteppedRun &run);
     void end();
 
     NumberSheet m_sheet;
     QSaveFile m_file;
     QTimer m_timer;
-    std::unique_ptr<Way> m_run;
-    std::unique_ptr<Way> m_comparison;
+    std::unique_ptr<SteppedRun> m_run;
+    std::unique_ptr<SteppedRun> m_comparison;
     QByteArray m_text; ///< text that is not written to the file yet
     std::int64_t m_frame = 0;
     std::int64_t m_last = 0;

@@ -49,7 +49,7 @@ void write(QSettings &settings, const QString &prefix, const Quantity &quantity)
 /// Returns the stored quantity. Empty if the settings are invalid, because users can edit their file.
 std::optional<Quantity> read(const QSettings &settings, const QString &prefix)
 {
-    const std::optional<QuantityKind> what = measuredFrom(settings.value(prefix + "what").toString());
+    const std::optional<QuantityKind> what = quantityKindFrom(settings.value(prefix + "what").toString());
     if (!what)
         return std::nullopt;
     return Quantity{*what, settings.value(prefix + "body").toString(),
@@ -125,18 +125,6 @@ void PlotList::renameBody(const QString &from, const QString &to)
         keep();
 }
 
-std::vector<Quantity> PlotList::quantities() const
-{
-    std::vector<Quantity> all;
-    for (const PlotSpec &plot : m_plots) {
-        for (const Quantity &one : {plot.up, plot.across}) {
-            if (std::find(all.begin(), all.end(), one) == all.end())
-                all.push_back(one);
-        }
-    }
-    return all;
-}
-
 void PlotList::keep()
 {
     m_isChosen = true;
@@ -150,6 +138,18 @@ void PlotList::keep()
     }
     settings.endArray();
     emit changed();
+}
+
+std::vector<Quantity> quantitiesOf(const std::vector<PlotSpec> &plots)
+{
+    std::vector<Quantity> all;
+    for (const PlotSpec &plot : plots) {
+        for (const Quantity &one : {plot.up, plot.across}) {
+            if (std::find(all.begin(), all.end(), one) == all.end())
+                all.push_back(one);
+        }
+    }
+    return all;
 }
 
 PlotSpec pinned(PlotSpec plot, const QString &selected)

@@ -42,8 +42,6 @@ public:
     void change(std::size_t index, const PlotSpec &plot);
     /// Makes the plots of the body `from` show the body `to`.
     void renameBody(const QString &from, const QString &to);
-    /// Returns all quantities that the plots show, each once.
-    std::vector<Quantity> quantities() const;
 
 signals:
     /// A plot was added, removed or changed.
@@ -56,6 +54,8 @@ private:
     bool m_isChosen = false; ///< by the learner
 };
 
+/// Returns all quantities that the plots show, each once.
+std::vector<Quantity> quantitiesOf(const std::vector<PlotSpec> &plots);
 /// Returns `plot` with "the selected body" replaced by the name `selected`.
 PlotSpec pinned(PlotSpec plot, const QString &selected);
 /// Returns `plot` for the selected body, whichever it is.

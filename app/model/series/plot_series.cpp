@@ -1,7 +1,5 @@
 #include "app/model/series/plot_series.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
 
 namespace app {
@@ -9,7 +7,7 @@ namespace app {
 PlotSeries::PlotSeries(const OpenRun &run, const Playback &playback, const ComparisonRuns &comparisons,
                        QObject *parent)
     : QObject(parent), m_run(run), m_playback(playback), m_comparisons(comparisons),
-      m_idleTask([this](double milliseconds) { fillFor(milliseconds); })
+      m_idleTask([this] { return readNext(); }, [this] { announce(); })
 {
     run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::selection | ChangeKind::cursor, this,
                  &PlotSeries::follow);
@@ -34,12 +32,12 @@ void PlotSeries::setQuantities(std::vector<Quantity> quantities)
     restart();
 }
 
-void PlotSeries::setMostRows(std::int64_t rows)
+void PlotSeries::setMostSteps(std::int64_t steps)
 {
-    rows = std::clamp(rows, PlotWindow::leastRows, allRows);
-    if (rows == m_mostRows)
+    steps = std::clamp(steps, PlotWindow::leastSteps, allSteps);
+    if (steps == m_mostSteps)
         return;
-    m_mostRows = rows;
+    m_mostSteps = steps;
     followCursor();
     announce();
 }
@@ -66,9 +64,9 @@ void PlotSeries::restart()
     const sim::Timeline &timeline = m_run.timeline();
     m_framesPerOutput = timeline.track().framesPerOutput();
     m_window =
-        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
+        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostSteps});
     const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
-    m_runRows = RunSampler(allBound(), m_window.first, m_framesPerOutput, stride);
+    m_runSampler = RunSampler(allBound(), m_window.first, m_framesPerOutput, stride);
     restartComparison();
     announce();
     fill();
@@ -86,8 +84,8 @@ void PlotSeries::restartComparison()
     const sim::Track *comparison = m_run.timeline().comparison();
     const bool fits = comparison && comparison->framesPerOutput() == m_framesPerOutput;
     m_comparisonScript = fits ? shownBranch() : nullptr;
-    m_comparisonRows =
-        fits ? RunSampler(allBound(), comparisonStart(), m_framesPerOutput, m_runRows.samples().stride())
+    m_comparisonSampler =
+        fits ? RunSampler(allBound(), comparisonStart(), m_framesPerOutput, m_runSampler.samples().stride())
              : RunSampler();
 }
 
@@ -122,7 +120,7 @@ void PlotSeries::dropFrom(std::int64_t frame)
         m_isStale = true;
         return;
     }
-    m_runRows.forgetAfter(frame - 1);
+    m_runSampler.forgetAfter(frame - 1);
     if (m_comparisonScript != shownBranch())
         restartComparison();
     moveWindow();
@@ -156,15 +154,15 @@ bool PlotSeries::moveWindow()
 {
     const sim::Timeline &timeline = m_run.timeline();
     const PlotWindow next =
-        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
+        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostSteps});
     if (next == m_window)
         return false;
     m_window = next;
     const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
-    move(m_runRows, m_window.first, stride);
+    move(m_runSampler, m_window.first, stride);
     if (m_comparisonScript) {
         ++m_comparisonRevision;
-        move(m_comparisonRows, comparisonStart(), stride);
+        move(m_comparisonSampler, comparisonStart(), stride);
     }
     return true;
 }
@@ -186,42 +184,21 @@ std::int64_t PlotSeries::endOf(const sim::Track &track) const
     return std::min(track.computed(), m_window.last);
 }
 
-bool PlotSeries::takeRow()
+bool PlotSeries::readNext()
 {
+    if (!m_isActive || m_quantities.empty())
+        return false;
     const sim::Timeline &timeline = m_run.timeline();
-    if (m_runRows.samples().nextFrame() <= endOf(timeline.track())) {
-        m_runRows.takeRow(timeline.track());
+    if (m_runSampler.samples().nextFrame() <= endOf(timeline.track())) {
+        m_runSampler.readNext(timeline.track());
         return true;
     }
     const sim::Track *comparison = m_comparisonScript ? timeline.comparison() : nullptr;
-    if (!comparison || m_comparisonRows.samples().nextFrame() > endOf(*comparison))
+    if (!comparison || m_comparisonSampler.samples().nextFrame() > endOf(*comparison))
         return false;
     ++m_comparisonRevision;
-    m_comparisonRows.takeRow(*comparison);
+    m_comparisonSampler.readNext(*comparison);
     return true;
-}
-
-bool PlotSeries::isReading() const
-{
-    return m_idleTask.isDue();
-}
-
-void PlotSeries::fillFor(double milliseconds)
-{
-    if (!m_isActive || m_quantities.empty())
-        return;
-    QElapsedTimer clock;
-    clock.start();
-    bool any = false;
-    while (takeRow()) {
-        any = true;
-        if (static_cast<double>(clock.nsecsElapsed()) > 1e6 * milliseconds) {
-            m_idleTask.goOn();
-            break;
-        }
-    }
-    if (any)
-        announce();
 }
 
 }

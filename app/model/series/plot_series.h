@@ -23,7 +23,7 @@ public:
     static constexpr std::int64_t mostBuckets = 4096;
     /// The number of output steps of the longest run that files may have. With this value the whole run is always
     /// shown.
-    static constexpr std::int64_t allRows = PlotWindow::leastRows << 20;
+    static constexpr std::int64_t allSteps = PlotWindow::leastSteps << 20;
 
     explicit PlotSeries(const OpenRun &run, const Playback &playback, const ComparisonRuns &comparisons,
                         QObject *parent = nullptr);
@@ -32,14 +32,14 @@ public:
     /// Sets the quantities to read. A quantity without a body follows the selected one.
     void setQuantities(std::vector<Quantity> quantities);
     /// Sets the largest number of output steps on display; see PlotView.
-    void setMostRows(std::int64_t rows);
-    std::int64_t mostRows() const { return m_mostRows; }
+    void setMostSteps(std::int64_t steps);
+    std::int64_t mostSteps() const { return m_mostSteps; }
 
     const PlotWindow &window() const { return m_window; }
-    int rowFrames() const { return m_framesPerOutput; }
-    const Samples &run() const { return m_runRows.samples(); }
+    int framesPerOutput() const { return m_framesPerOutput; }
+    const Samples &run() const { return m_runSampler.samples(); }
     /// Returns the comparison run, from its first difference; empty if there is none.
-    const Samples &comparison() const { return m_comparisonRows.samples(); }
+    const Samples &comparison() const { return m_comparisonSampler.samples(); }
     /// Returns the column of a quantity.
     std::size_t columnOf(const Quantity &quantity) const;
     /// Returns the quantity with the name of its body.
@@ -62,7 +62,7 @@ public:
     quint64 revision() const { return m_revision; }
     quint64 comparisonRevision() const { return m_comparisonRevision; }
     /// Returns whether the run has computed steps in the window that have not been read yet.
-    bool isReading() const;
+    bool isReading() const { return m_idleTask.isDue(); }
 
 signals:
     /// Samples were added or dropped, or the quantities have changed.
@@ -88,8 +88,7 @@ private:
     bool moveWindow();
     void move(RunSampler &sampler, std::int64_t first, std::int64_t stride);
     void fill() { m_idleTask.run(); }
-    void fillFor(double milliseconds);
-    bool takeRow();
+    bool readNext();
     std::int64_t endOf(const sim::Track &track) const;
     std::int64_t comparisonStart() const;
 
@@ -98,11 +97,11 @@ private:
     const ComparisonRuns &m_comparisons;
     IdleTask m_idleTask;
     std::vector<Quantity> m_quantities;
-    RunSampler m_runRows;
-    RunSampler m_comparisonRows;
+    RunSampler m_runSampler;
+    RunSampler m_comparisonSampler;
     PlotWindow m_window;
     int m_framesPerOutput = 1;
-    std::int64_t m_mostRows = 480;
+    std::int64_t m_mostSteps = 480;
     std::shared_ptr<const sim::Script>
         m_comparisonScript; ///< of the comparison run that is read; null if none is
     quint64 m_revision = 0;

@@ -30,35 +30,35 @@ double roundStep(double step)
 
 PlotWindow windowAfter(const PlotWindow &was, const PlotView &view)
 {
-    const std::int64_t row = view.framesPerOutput;
-    const std::int64_t reach = std::max(view.at, view.computed) / row;
-    std::int64_t rows = PlotWindow::leastRows;
-    while (rows < reach && rows < view.mostRows)
-        rows *= 2;
-    if (reach <= rows)
-        return {0, rows * row};
-    const bool isAsWide = was.last - was.first == rows * row && was.first % row == 0;
+    const std::int64_t framesPerOutput = view.framesPerOutput;
+    const std::int64_t reach = std::max(view.at, view.computed) / framesPerOutput;
+    std::int64_t steps = PlotWindow::leastSteps;
+    while (steps < reach && steps < view.mostSteps)
+        steps *= 2;
+    if (reach <= steps)
+        return {0, steps * framesPerOutput};
+    const bool isAsWide = was.last - was.first == steps * framesPerOutput && was.first % framesPerOutput == 0;
     if (isAsWide && view.at >= was.first && view.at <= was.last)
         return was;
-    const std::int64_t part = std::max<std::int64_t>(1, rows / parts);
-    const std::int64_t at = view.at / row;
+    const std::int64_t part = std::max<std::int64_t>(1, steps / parts);
+    const std::int64_t at = view.at / framesPerOutput;
     const auto down = [part](std::int64_t frame) { return std::max<std::int64_t>(0, frame / part * part); };
-    const auto endingAfter = [&](std::int64_t frame) { return down(frame - rows + 2 * part - 1); };
+    const auto endingAfter = [&](std::int64_t frame) { return down(frame - steps + 2 * part - 1); };
     std::int64_t start = 0;
     if (!isAsWide) // after zooming, the cursor is in the middle, or near the end of the run
-        start = std::min(down(at - rows / 2), endingAfter(reach));
+        start = std::min(down(at - steps / 2), endingAfter(reach));
     else if (view.at > was.last)
         start = endingAfter(at);
     else
         start = down(at - part);
-    return {start * row, (start + rows) * row};
+    return {start * framesPerOutput, (start + steps) * framesPerOutput};
 }
 
 std::int64_t strideOf(const PlotWindow &window, int framesPerOutput, std::int64_t mostBuckets)
 {
-    const std::int64_t rows = (window.last - window.first) / framesPerOutput + 1;
+    const std::int64_t steps = (window.last - window.first) / framesPerOutput + 1;
     std::int64_t stride = 1;
-    while ((rows + stride - 1) / stride > mostBuckets)
+    while ((steps + stride - 1) / stride > mostBuckets)
         stride *= 2;
     return stride;
 }

@@ -8,7 +8,7 @@ namespace app {
 struct PlotWindow
 {
     /// The smallest number of output steps on display. Larger windows have 2, 4, 8... times as many.
-    static constexpr std::int64_t leastRows = 30;
+    static constexpr std::int64_t leastSteps = 30;
 
     std::int64_t first = 0;
     std::int64_t last = 0;
@@ -21,7 +21,7 @@ struct PlotView
     std::int64_t at = 0;       ///< the cursor's frame
     std::int64_t computed = 0; ///< the last computed frame of the run
     int framesPerOutput = 1;
-    std::int64_t mostRows = 480; ///< leastRows times a power of two
+    std::int64_t mostSteps = 480; ///< leastSteps times a power of two
 };
 
 /// Returns the next window after `was`. The window stays fixed while the cursor is inside it, so the axes do not jitter

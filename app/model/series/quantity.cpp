@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace app {
@@ -70,7 +69,7 @@ double angular(const Eigen::ArrayXd &values, int point)
 
 }
 
-const std::vector<QuantityKind> &allMeasured()
+const std::vector<QuantityKind> &quantityKinds()
 {
     static const std::vector<QuantityKind> all = [] {
         std::vector<QuantityKind> list;
@@ -91,7 +90,7 @@ QString idOf(QuantityKind what)
     return QString::fromLatin1(kindOf(what).id);
 }
 
-std::optional<QuantityKind> measuredFrom(const QString &id)
+std::optional<QuantityKind> quantityKindFrom(const QString &id)
 {
     for (const Kind &kind : kinds) {
         if (id == QLatin1String(kind.id))
@@ -106,7 +105,7 @@ bool pointsDown(QuantityKind what)
            what == QuantityKind::accelerationY;
 }
 
-bool comparesRows(QuantityKind what)
+bool needsPreviousStep(QuantityKind what)
 {
     return what >= QuantityKind::accelerationX && what <= QuantityKind::acceleration;
 }

@@ -45,15 +45,15 @@ struct Quantity
 };
 
 /// Returns all kinds, in the order of the menus.
-const std::vector<QuantityKind> &allMeasured();
+const std::vector<QuantityKind> &quantityKinds();
 About aboutOf(QuantityKind what);
 /// Returns the name used in settings: lower case with underscores.
 QString idOf(QuantityKind what);
-std::optional<QuantityKind> measuredFrom(const QString &id);
+std::optional<QuantityKind> quantityKindFrom(const QString &id);
 /// Returns whether the quantity grows downwards on screen. The vertical axis of its plot then points down, too.
 bool pointsDown(QuantityKind what);
 /// Returns whether the quantity also needs the previous state.
-bool comparesRows(QuantityKind what);
+bool needsPreviousStep(QuantityKind what);
 /// Returns the quantity with the body `selected` if it does not name one.
 Quantity boundTo(const Quantity &quantity, const QString &selected);
 

@@ -25,12 +25,12 @@ RunSampler::RunSampler(std::vector<Quantity> quantities, std::int64_t first, int
                        std::int64_t stride)
     : m_quantities(std::move(quantities)), m_samples(m_quantities.size(), first, framesPerOutput, stride),
       m_framesPerOutput(framesPerOutput),
-      m_comparesRows(std::any_of(m_quantities.begin(), m_quantities.end(),
-                                 [](const Quantity &one) { return comparesRows(one.what); }))
+      m_needsPreviousStep(std::any_of(m_quantities.begin(), m_quantities.end(),
+                                      [](const Quantity &one) { return needsPreviousStep(one.what); }))
 {
 }
 
-void RunSampler::takeRow(const sim::Track &track)
+void RunSampler::readNext(const sim::Track &track)
 {
     const std::int64_t wanted = m_samples.nextFrame();
     if (!m_end && wanted > 0) // start an output step earlier, because accelerations need it
@@ -43,7 +43,7 @@ void RunSampler::takeRow(const sim::Track &track)
     }
     std::optional<sim::State> before;
     const bool isThere = m_end->frame + m_framesPerOutput == wanted;
-    if (isThere && m_comparesRows)
+    if (isThere && m_needsPreviousStep)
         before = *m_end;
     m_end = stateAfter(std::move(*m_end), track);
     if (isThere)

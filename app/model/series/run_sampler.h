@@ -19,7 +19,7 @@ public:
     const Samples &samples() const { return m_samples; }
     /// Reads the next output step of `track`, which must have been computed before. Steps before the first sample are
     /// only passed through.
-    void takeRow(const sim::Track &track);
+    void readNext(const sim::Track &track);
     /// Drops the samples after `frame`, where the run has changed.
     void forgetAfter(std::int64_t frame);
     /// Drops the samples before `frame`.
@@ -33,8 +33,8 @@ private:
     Samples m_samples;
     QuantityReader m_reader;
     int m_framesPerOutput = 1;
-    bool m_comparesRows = false;     ///< whether a quantity also needs the previous output step
-    std::optional<sim::State> m_end; ///< at the end of the last output step that was read
+    bool m_needsPreviousStep = false; ///< whether a quantity also needs the previous output step
+    std::optional<sim::State> m_end;  ///< at the end of the last output step that was read
 };
 
 /// Returns the state of `track` one output step after `end`, the state at the end of an earlier output step. That

@@ -45,8 +45,8 @@ void Samples::forgetAfter(std::int64_t frame)
 {
     if (frame >= nextFrame() - m_framesPerOutput)
         return;
-    const std::int64_t rows = frame < m_first ? 0 : (frame - m_first) / m_framesPerOutput + 1;
-    const std::int64_t buckets = rows / m_stride;
+    const std::int64_t steps = frame < m_first ? 0 : (frame - m_first) / m_framesPerOutput + 1;
+    const std::int64_t buckets = steps / m_stride;
     m_buckets.resize(static_cast<std::size_t>(buckets) * m_columns);
     m_rows = buckets * m_stride;
 }

@@ -10,7 +10,7 @@ void Stances::follow(const MeasureSeries &series, std::size_t feet)
     if (!goesOn(series, feet)) {
         m_feet.assign(feet, {});
         m_stood.assign(feet, 0);
-        m_framesPerOutput = series.rowFrames();
+        m_framesPerOutput = series.framesPerOutput();
         m_next = series.first();
     }
     m_first = series.first();
@@ -24,7 +24,7 @@ void Stances::follow(const MeasureSeries &series, std::size_t feet)
 /// Returns whether the series still contains what was read of it, except for its first output steps, and continues it.
 bool Stances::goesOn(const MeasureSeries &series, std::size_t feet) const
 {
-    return feet == m_feet.size() && !series.isEmpty() && series.rowFrames() == m_framesPerOutput &&
+    return feet == m_feet.size() && !series.isEmpty() && series.framesPerOutput() == m_framesPerOutput &&
            series.first() >= m_first && series.first() <= m_next &&
            series.last() >= m_next - m_framesPerOutput;
 }

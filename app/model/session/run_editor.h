@@ -112,7 +112,8 @@ public:
     void begin(sim::Script script, sim::Cursor at, Branches branches, std::optional<QString> draft = {});
 
 private:
-    void setStep(sim::StepSize step);
+    /// Sets the step that `make` makes of `value`; if it throws, says why.
+    void setStep(sim::StepSize (*make)(double), double value);
     void runAgain(const sim::Remedy &remedy);
     /// Returns the methods for a new start of the step's run, best first: the learner's code if it is in use, then that of
     /// the step.

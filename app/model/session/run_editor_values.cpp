@@ -156,27 +156,23 @@ void RunEditor::runAgain(const sim::Remedy &remedy)
     m_playback.goTo({frame, 0});
 }
 
-void RunEditor::setStep(sim::StepSize step)
+void RunEditor::setStep(sim::StepSize (*make)(double), double value)
 {
-    use(m_run.timeline().script().method, step);
+    try {
+        use(m_run.timeline().script().method, make(value));
+    } catch (const sim::Error &error) {
+        m_run.changes().showMessage(sentenceFor(error));
+    }
 }
 
 void RunEditor::setStepSize(double h)
 {
-    try {
-        setStep(sim::StepSize::ofLength(h));
-    } catch (const sim::Error &error) {
-        m_run.changes().showMessage(sentenceFor(error));
-    }
+    setStep(sim::StepSize::ofLength, h);
 }
 
 void RunEditor::setTolerance(double tolerance)
 {
-    try {
-        setStep(sim::StepSize::withTolerance(tolerance));
-    } catch (const sim::Error &error) {
-        m_run.changes().showMessage(sentenceFor(error));
-    }
+    setStep(sim::StepSize::withTolerance, tolerance);
 }
 
 std::vector<sim::EffectPtr> RunEditor::listedEffects() const

@@ -1,7 +1,6 @@
 #include "app/model/session/session.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace app {
 

@@ -8,7 +8,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -84,7 +83,7 @@ QString nothingWithin(const sim::Accuracy &accuracy, const QString &goal)
     if (!closest)
         return AccuracyText::tr("No method stays within an error of %1.").arg(goal);
     return AccuracyText::tr("No method stays within an error of %1. The closest is %2, with an error of %3.")
-        .arg(goal, bold(wayWords(closest->setup)), pixels(closest->error));
+        .arg(goal, bold(setupTitle(closest->setup)), pixels(closest->error));
 }
 
 QString horizonRemark(const sim::Accuracy &accuracy)
@@ -155,7 +154,7 @@ QString methodTitle(const sim::Method &method)
     return phrase(method.title());
 }
 
-QString wayWords(const sim::MethodSetup &setup)
+QString setupTitle(const sim::MethodSetup &setup)
 {
     const QString size = stepTitle(setup.step);
     return setup.step.isAdaptive()
@@ -165,7 +164,7 @@ QString wayWords(const sim::MethodSetup &setup)
 
 QString rowWords(const sim::AccuracyRow &row)
 {
-    QStringList lines{wayWords(row.setup)};
+    QStringList lines{setupTitle(row.setup)};
     switch (row.outcome) {
     case Outcome::measured:
         lines << (row.error == 0.0 ? AccuracyText::tr("No error, to the last digit")
@@ -211,11 +210,11 @@ QString verdictOn(const sim::Accuracy &accuracy, double target, const sim::Accur
     if (best && best == inUse)
         text = AccuracyText::tr("Nothing cheaper than your setup stays within an error of %1: %2 costs %3 a "
                                 "frame, with an error of %4.")
-                   .arg(goal, bold(wayWords(inUse->setup)), bold(duration(inUse->nsPerFrame)),
+                   .arg(goal, bold(setupTitle(inUse->setup)), bold(duration(inUse->nsPerFrame)),
                         pixels(inUse->error));
     else if (best)
         text = AccuracyText::tr("The cheapest way to stay within an error of %1 costs %2 a frame: %3.")
-                   .arg(goal, bold(duration(best->nsPerFrame)), bold(wayWords(best->setup)));
+                   .arg(goal, bold(duration(best->nsPerFrame)), bold(setupTitle(best->setup)));
     else
         text = nothingWithin(accuracy, goal);
     if (!best || best != inUse)

@@ -15,7 +15,7 @@ QString pixels(double px);
 QString duration(double ns);
 /// Returns a method with its step or tolerance: "RK4, step 1/4 frame"; "Dormand–Prince 5(4), tolerance
 /// 0.05\u2009px".
-QString wayWords(const sim::MethodSetup &setup);
+QString setupTitle(const sim::MethodSetup &setup);
 QString methodTitle(const sim::Method &method);
 
 /// Returns everything known about a row, one fact per line.

@@ -59,6 +59,15 @@ public:
         name(fieldName);
         fieldValue ? value(*fieldValue) : null();
     }
+    /// Writes a field with a list of values.
+    template <class Values>
+    void list(const QString &fieldName, const Values &values, Layout layout = Layout::lines)
+    {
+        beginList(fieldName, layout);
+        for (const auto &one : values)
+            value(one);
+        endList();
+    }
     void beginObject(const QString &fieldName, Layout layout = Layout::lines);
     void beginList(const QString &fieldName, Layout layout = Layout::lines);
 

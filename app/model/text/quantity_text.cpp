@@ -22,7 +22,7 @@ constexpr double smallest = 1e-3; ///< smaller numbers are written with a power 
 
 }
 
-QString measuredTitle(QuantityKind what)
+QString kindTitle(QuantityKind what)
 {
     switch (what) {
     case QuantityKind::time:
@@ -61,7 +61,7 @@ QString measuredTitle(QuantityKind what)
     return QuantityText::tr("total energy");
 }
 
-QString measuredHelp(QuantityKind what)
+QString kindHelp(QuantityKind what)
 {
     switch (what) {
     case QuantityKind::time:
@@ -128,7 +128,7 @@ QString unitOf(QuantityKind what, bool turns)
 
 QString quantityTitle(const Quantity &quantity)
 {
-    const QString title = measuredTitle(quantity.what);
+    const QString title = kindTitle(quantity.what);
     switch (aboutOf(quantity.what)) {
     case About::run:
         return title;
@@ -159,7 +159,7 @@ std::optional<Quantity> quantityFrom(const QString &name)
     static const QRegularExpression form(
         QStringLiteral("\\A\\s*(\\w+)\\s*(?:\\(\\s*([^,()]+?)\\s*(?:,\\s*([^,()]+?)\\s*)?\\)\\s*)?\\z"));
     const QRegularExpressionMatch match = form.match(name);
-    const std::optional<QuantityKind> what = measuredFrom(match.captured(1));
+    const std::optional<QuantityKind> what = quantityKindFrom(match.captured(1));
     if (!what)
         return std::nullopt;
     const Quantity quantity{*what, match.captured(2), match.captured(3)};

@@ -11,9 +11,9 @@ namespace app {
 // Names and units of quantities.
 
 /// Returns the name of a quantity without its bodies: "y", "speed", "kinetic energy".
-QString measuredTitle(QuantityKind what);
+QString kindTitle(QuantityKind what);
 /// Returns one sentence that explains the quantity.
-QString measuredHelp(QuantityKind what);
+QString kindHelp(QuantityKind what);
 /// Returns the unit of a quantity: "px", "px/frame", "frames". The unit of an energy depends on whether the scene's
 /// points turn (`turns`) or move.
 QString unitOf(QuantityKind what, bool turns);

@@ -62,22 +62,15 @@ QString nameOf(const StabilityReading &reading, int point)
     return bodyTitle(QString::fromStdString(reading.interval->scene.names[index]));
 }
 
-/// Returns the title of the dominant effect: "The spring foot 3 – body", "The spring of foot 0", "legs, foot 0 –
-/// body".
-QString culpritWords(const StabilityReading &reading)
+/// Returns which effect determines the limit: "The spring foot 3 – body", "The spring of foot 0", "legs, foot 0 – body".
+QString decides(const StabilityReading &reading)
 {
     const sim::DominantEffect &dominant = reading.stability.dominant;
     if (!dominant.effect)
         return {};
-    return pullTitle(*dominant.effect, nameOf(reading, dominant.point),
-                     dominant.other < 0 ? QString() : nameOf(reading, dominant.other));
-}
-
-/// Returns which spring determines the limit.
-QString decides(const StabilityReading &reading)
-{
-    const QString who = culpritWords(reading);
-    return who.isEmpty() ? QString() : StabilityText::tr("%1 sets the limit.").arg(who.toHtmlEscaped());
+    const QString title = pullTitle(*dominant.effect, nameOf(reading, dominant.point),
+                                    dominant.other < 0 ? QString() : nameOf(reading, dominant.other));
+    return StabilityText::tr("%1 sets the limit.").arg(title.toHtmlEscaped());
 }
 
 /// Returns how the motion looks past the limit.

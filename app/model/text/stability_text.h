@@ -3,7 +3,6 @@
 #include "app/model/analysis/stability_monitor.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace app {
 

@@ -143,10 +143,7 @@ void PageFigure::writePart(JsonWriter &json, NumberColumns &columns, const Part 
     json.beginObject(JsonWriter::Layout::oneLine);
     json.field("first", part.first);
     json.field("count", part.count);
-    json.beginList("names");
-    for (const std::string &name : part.interval->scene.names)
-        json.value(name);
-    json.endList();
+    json.list("names", part.interval->scene.names);
     json.name("view");
     writeView(json, *part.view, part.interval->scene);
     writeColumns(json, columns, "x", part.x, positionBits);
@@ -162,10 +159,7 @@ void PageFigure::writePart(JsonWriter &json, NumberColumns &columns, const Part 
         for (const lessons::Overlay::Shape shape : drawings.shapes)
             json.value(nameOf(shape));
         json.endList();
-        json.beginList("labels");
-        for (const QString &label : drawings.labels)
-            json.value(label);
-        json.endList();
+        json.list("labels", drawings.labels);
         writeColumns(json, columns, "numbers", drawings.numbers, overlayBits);
         json.endObject();
     }

@@ -1,6 +1,5 @@
 #include "app/model/web/page_file.h"
 
-#include "app/model/files/whole_file.h"
 #include "app/model/web/page_words.h"
 
 #include <QCoreApplication>
@@ -68,7 +67,7 @@ QByteArray packed(const QByteArray &json, const QByteArray &numbers)
 QByteArray pageText(const PageParts &parts)
 {
     const QString style = styleSheet(parts), code = scriptText();
-    const QHash<QString, QString> values = {
+    QHash<QString, QString> values = {
         {"language", parts.language.toHtmlEscaped()},
         {"title", parts.title.toHtmlEscaped()},
         {"version", QCoreApplication::applicationVersion().toHtmlEscaped()},
@@ -77,11 +76,10 @@ QByteArray pageText(const PageParts &parts)
         {"style", style},
         {"script", code},
         {"icon", QString::fromLatin1(resource("icon.svg").toUtf8().toBase64())},
-        {"needsScripts", noRunText(NoRun::noScripts).toHtmlEscaped()},
-        {"tooOld", noRunText(NoRun::oldBrowser).toHtmlEscaped()},
-        {"damaged", noRunText(NoRun::damaged).toHtmlEscaped()},
         {"data", QString::fromLatin1(parts.data)},
     };
+    for (const auto &[name, text] : noRunWords())
+        values[name] = text.toHtmlEscaped();
     const QString page = resource("player.html");
     static const QRegularExpression name("@(\\w+)@");
     QString text;
@@ -93,11 +91,6 @@ QByteArray pageText(const PageParts &parts)
         end = match.capturedEnd();
     }
     return (text + page.mid(end)).toUtf8();
-}
-
-void writePage(const QString &path, const PageParts &parts)
-{
-    writeWholeFile(path, pageText(parts));
 }
 
 }

@@ -24,8 +24,4 @@ QByteArray packed(const QByteArray &json, const QByteArray &numbers);
 /// from elsewhere can run and nothing is loaded.
 QByteArray pageText(const PageParts &parts);
 
-/// Writes a page. If that fails, an earlier file stays as it is.
-/// @throws UserError: it cannot be written
-void writePage(const QString &path, const PageParts &parts);
-
 }

@@ -83,10 +83,7 @@ void PageListing::write(JsonWriter &json) const
             last = at;
         }
         json.endList();
-        json.beginList("texts");
-        for (const QString &text : line.texts)
-            json.value(text);
-        json.endList();
+        json.list("texts", line.texts);
         json.endObject();
     }
     json.endList();

@@ -8,15 +8,9 @@
 
 namespace app {
 
-PagePlots::PagePlots(std::vector<PlotSpec> plots) : m_plots(std::move(plots))
+PagePlots::PagePlots(std::vector<PlotSpec> plots)
+    : m_plots(std::move(plots)), m_quantities(quantitiesOf(m_plots)), m_values(m_quantities.size())
 {
-    for (const PlotSpec &plot : m_plots) {
-        for (const Quantity &one : {plot.up, plot.across}) {
-            if (std::find(m_quantities.begin(), m_quantities.end(), one) == m_quantities.end())
-                m_quantities.push_back(one);
-        }
-    }
-    m_values.resize(m_quantities.size());
 }
 
 void PagePlots::add(const std::shared_ptr<const sim::ComposedInterval> &interval, const sim::State &state,

@@ -20,21 +20,9 @@ void writeObjects(JsonWriter &json, const QString &name, const Items &items, con
     json.endList();
 }
 
-template <class Numbers>
-void writeNumbers(JsonWriter &json, const QString &name, const Numbers &numbers)
-{
-    json.beginList(name);
-    for (const auto &number : numbers)
-        json.value(number);
-    json.endList();
-}
-
 void writePlace(JsonWriter &json, const QString &name, sim::Vec2 place)
 {
-    json.beginList(name);
-    json.value(place.x);
-    json.value(place.y);
-    json.endList();
+    json.list(name, std::array{place.x, place.y});
 }
 
 QString nameOf(lessons::BodyView::Shape shape)
@@ -111,11 +99,11 @@ void writeLinks(JsonWriter &json, const lessons::View &view)
 void writeShapes(JsonWriter &json, const lessons::View &view)
 {
     writeObjects(json, "chains", view.chains, [&](const lessons::ChainView &chain) {
-        writeNumbers(json, "points", chain.points);
+        json.list("points", chain.points);
         json.field("width", chain.width);
     });
     writeObjects(json, "skins", view.skins, [&](const lessons::SkinView &skin) {
-        writeNumbers(json, "outline", skin.outline);
+        json.list("outline", skin.outline);
         json.field("front", skin.front);
     });
     json.beginList("sheets");
@@ -129,9 +117,9 @@ void writeShapes(JsonWriter &json, const lessons::View &view)
     if (!view.tree)
         return;
     json.beginObject("tree");
-    writeNumbers(json, "parent", view.tree->parent);
-    writeNumbers(json, "length", view.tree->length);
-    writeNumbers(json, "width", view.tree->width);
+    json.list("parent", view.tree->parent);
+    json.list("length", view.tree->length);
+    json.list("width", view.tree->width);
     json.endObject();
 }
 
@@ -146,8 +134,8 @@ void writeSurroundings(JsonWriter &json, const lessons::View &view, const sim::S
     }
     if (view.ground)
         json.field("ground", *view.ground);
-    writeNumbers(json, "stage",
-                 std::vector{view.stage.left(), view.stage.top(), view.stage.width(), view.stage.height()});
+    json.list("stage",
+              std::array{view.stage.left(), view.stage.top(), view.stage.width(), view.stage.height()});
     json.field("dusk", view.sky == lessons::View::Sky::dusk);
     json.field("followed", view.followedPoint);
     if (view.angle) {

@@ -47,7 +47,7 @@ WordList sceneWords()
 
 }
 
-std::vector<std::pair<QString, QString>> pageWords()
+WordList pageWords()
 {
     WordList words = {
         {"play", WebPageWords::tr("Play")},
@@ -91,18 +91,15 @@ std::vector<std::pair<QString, QString>> pageWords()
     return words;
 }
 
-QString noRunText(NoRun why)
+WordList noRunWords()
 {
-    switch (why) {
-    case NoRun::noScripts:
-        return WebPageWords::tr(
-            "The run needs JavaScript. Allow it in this browser, and load the page again.");
-    case NoRun::oldBrowser:
-        return WebPageWords::tr("This browser is too old to show the run. Use one from 2023 or later.");
-    case NoRun::damaged:
-        break;
-    }
-    return WebPageWords::tr("The run on this page cannot be read: the file is damaged. Ask for it again.");
+    return {
+        {"needsScripts",
+         WebPageWords::tr("The run needs JavaScript. Allow it in this browser, and load the page again.")},
+        {"tooOld", WebPageWords::tr("This browser is too old to show the run. Use one from 2023 or later.")},
+        {"damaged",
+         WebPageWords::tr("The run on this page cannot be read: the file is damaged. Ask for it again.")},
+    };
 }
 
 }

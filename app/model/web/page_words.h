@@ -10,10 +10,7 @@ namespace app {
 /// Returns the texts of a web page's controls, by the names under which page/player.js finds them.
 std::vector<std::pair<QString, QString>> pageWords();
 
-/// Why a browser cannot show the run.
-enum class NoRun { noScripts, oldBrowser, damaged };
-
-/// Returns the sentence that the page shows instead of the run.
-QString noRunText(NoRun why);
+/// Returns the sentences that a page shows if a browser cannot show the run, by their names in page/player.html.
+std::vector<std::pair<QString, QString>> noRunWords();
 
 }

@@ -1,5 +1,6 @@
 #include "app/model/web/web_page.h"
 
+#include "app/model/files/whole_file.h"
 #include "app/model/picture/overlays.h"
 #include "app/model/run/run_program.h"
 #include "app/model/text/json_writer.h"
@@ -206,13 +207,9 @@ void WebPage::finish()
             WebPageText::tr("The run does not reach frame %1: it stops at frame %2. Begin the page earlier.")
                 .arg(m_plan.from)
                 .arg(frame()));
-    PageParts parts;
-    parts.title = QStringLiteral("%1 – %2").arg(m_step.title, m_lesson.title);
-    parts.language = lessons::documentLanguage();
-    parts.light = m_plan.light;
-    parts.dark = m_plan.dark;
-    parts.data = data();
-    writePage(m_plan.out, parts);
+    const QString title = QStringLiteral("%1 – %2").arg(m_step.title, m_lesson.title);
+    writeWholeFile(m_plan.out,
+                   pageText({title, lessons::documentLanguage(), m_plan.light, m_plan.dark, data()}));
 }
 
 QString WebPage::runTitle() const

@@ -44,11 +44,11 @@ QLabel *textLabel(const char *name, Qt::TextFormat format, QWidget *parent)
 
 AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Preview &preview, const Theme &theme,
                              QWidget *parent)
-    : QWidget(parent), m_study(study), m_theme(theme)
+    : QWidget(parent), m_study(study)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    m_title = new PanelTitle(tr("Accuracy"), PanelTitle::CaptionPlace::besideTitle, theme, this);
+    m_title = new PanelTitle(tr("Accuracy"), theme, this);
     m_views = new QStackedWidget(this);
     m_workPrecision = new WorkPrecisionPlot(study, theme, m_views);
     m_views->addWidget(m_workPrecision);
@@ -78,12 +78,10 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Preview &preview, const
     column->addWidget(m_unstable);
     column->addWidget(m_views, 1);
     column->addWidget(stateRow());
-    column->addWidget(card());
+    column->addWidget(card(theme));
     column->addWidget(m_remarksArea);
     connect(&study, &AccuracyStudy::changed, this, &AccuracyPanel::refresh);
     connect(m_workPrecision, &WorkPrecisionPlot::targetChanged, this, &AccuracyPanel::refresh);
-    connect(&theme, &Theme::changed, this, &AccuracyPanel::applyTheme);
-    applyTheme();
     refresh();
 }
 
@@ -137,7 +135,7 @@ QWidget *AccuracyPanel::stateRow()
     return row;
 }
 
-QWidget *AccuracyPanel::card()
+QWidget *AccuracyPanel::card(const Theme &theme)
 {
     auto *outside = new QWidget(this);
     auto *around = new QHBoxLayout(outside);
@@ -149,6 +147,7 @@ QWidget *AccuracyPanel::card()
     layout->setContentsMargins(14, 10, 12, 10);
     layout->setSpacing(12);
     m_verdict = new QLabel(card);
+    m_verdict->setFont(theme.ui(14));
     m_verdict->setTextFormat(Qt::RichText);
     m_verdict->setWordWrap(true);
     m_use = new QPushButton(tr("Use it"), card);
@@ -176,11 +175,6 @@ QPushButton *AccuracyPanel::choiceButton(const char *name, const QString &text, 
             (all ? m_fewer : m_all)->setFocus(Qt::OtherFocusReason);
     });
     return button;
-}
-
-void AccuracyPanel::applyTheme()
-{
-    m_verdict->setFont(m_theme.ui(14));
 }
 
 void AccuracyPanel::setView(View view)
@@ -272,7 +266,7 @@ void AccuracyPanel::chooseMethods()
         const bool isEarly = m_study.stage() == AccuracyStudy::Stage::measuring;
         const std::vector<std::string> telling =
             isEarly ? std::vector<std::string>{own}
-                    : tellingMethods(*accuracy, own, m_workPrecision->target());
+                    : representativeMethods(*accuracy, own, m_workPrecision->target());
         shown.ids = {telling.begin(), telling.end()};
         shown.ids.insert(run.timeline().script().method->id());
     }
@@ -334,7 +328,7 @@ void AccuracyPanel::refreshCard()
     const sim::AccuracyRow *best = cheapest();
     m_use->setVisible(best && best != m_study.inUse());
     if (best)
-        m_use->setToolTip(tr("Use %1").arg(wayWords(best->setup)));
+        m_use->setToolTip(tr("Use %1").arg(setupTitle(best->setup)));
 }
 
 void AccuracyPanel::measureOrCancel()

@@ -61,7 +61,7 @@ private:
     QWidget *stateRow();
     /// Returns a button that shows all methods, or fewer.
     QPushButton *choiceButton(const char *name, const QString &text, const QString &tip, bool all);
-    QWidget *card();
+    QWidget *card(const Theme &theme);
     void refresh();
     void makeRemarks();
     void chooseMethods();
@@ -69,13 +69,11 @@ private:
     void fitRemarks();
     void refreshState();
     void refreshCard();
-    void applyTheme();
     void measureOrCancel();
     void useCheapest();
     const sim::AccuracyRow *cheapest() const;
 
     AccuracyStudy &m_study;
-    const Theme &m_theme;
     PanelTitle *m_title;
     PlotExport *m_export;
     QLabel *m_unstable;

@@ -70,7 +70,7 @@ std::optional<Spot> StudyPlot::chosenInNewLayout() const
 {
     std::optional<Spot> nearest;
     for (const Spot &spot : m_spots) {
-        if (!chosen() || !sameWay(rowOf(spot).setup, m_chosenSetup))
+        if (!chosen() || !sameSetup(rowOf(spot).setup, m_chosenSetup))
             continue;
         const auto distance = [&](const Spot &one) { return std::abs(one.place.x() - chosen()->place.x()); };
         if (!nearest || distance(spot) < distance(*nearest))

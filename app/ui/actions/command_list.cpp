@@ -4,35 +4,13 @@
 
 namespace app {
 
-QString titleOf(KeyGroup group)
+QStringList groupTitles()
 {
-    switch (group) {
-    case KeyGroup::experiments:
-        return CommandList::tr("Experiments");
-    case KeyGroup::pictures:
-        return CommandList::tr("Pictures and films");
-    case KeyGroup::changes:
-        return CommandList::tr("Changes");
-    case KeyGroup::time:
-        return CommandList::tr("Time");
-    case KeyGroup::otherRuns:
-        return CommandList::tr("Other runs");
-    case KeyGroup::steps:
-        return CommandList::tr("Steps");
-    case KeyGroup::picture:
-        return CommandList::tr("Picture");
-    case KeyGroup::window:
-        return CommandList::tr("Window");
-    case KeyGroup::build:
-        return CommandList::tr("Build");
-    case KeyGroup::plots:
-        return CommandList::tr("Plots");
-    case KeyGroup::code:
-        return CommandList::tr("Code");
-    case KeyGroup::accuracy:
-        return CommandList::tr("Accuracy");
-    }
-    return {};
+    return {
+        CommandList::tr("Time"),       CommandList::tr("Picture"),     CommandList::tr("Steps"),
+        CommandList::tr("Changes"),    CommandList::tr("Code"),        CommandList::tr("Plots"),
+        CommandList::tr("Other runs"), CommandList::tr("Window"),      CommandList::tr("Accuracy"),
+        CommandList::tr("Build"),      CommandList::tr("Experiments"), CommandList::tr("Pictures and films")};
 }
 
 Command *CommandList::add(const QString &text, const QList<QKeySequence> &keys, KeyGroup group)

@@ -4,14 +4,13 @@
 
 #include <QCoreApplication>
 
-#include <array>
 #include <vector>
 
 class QWidget;
 
 namespace app {
 
-/// The groups of the help page's key list, with the most important ones first.
+/// The groups of the help page's key list, with the most important ones first. groupTitles() has the same order.
 enum class KeyGroup {
     time,
     picture,
@@ -27,13 +26,13 @@ enum class KeyGroup {
     pictures
 };
 
-inline constexpr std::array allKeyGroups{KeyGroup::time,      KeyGroup::picture,     KeyGroup::steps,
-                                         KeyGroup::changes,   KeyGroup::code,        KeyGroup::plots,
-                                         KeyGroup::otherRuns, KeyGroup::window,      KeyGroup::accuracy,
-                                         KeyGroup::build,     KeyGroup::experiments, KeyGroup::pictures};
-
+/// Returns the headings of all groups.
+QStringList groupTitles();
 /// Returns the heading of a group.
-QString titleOf(KeyGroup group);
+inline QString titleOf(KeyGroup group)
+{
+    return groupTitles()[static_cast<int>(group)];
+}
 
 /// Makes the commands of a window and lists them, so that the help page shows every key that works.
 class CommandList

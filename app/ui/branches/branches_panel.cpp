@@ -8,6 +8,7 @@
 #include "app/ui/branches/difference_plot.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/plots/plot_export.h"
+#include "app/ui/theme/icon_button.h"
 #include "app/ui/time/runs_menu.h"
 
 #include <QButtonGroup>
@@ -20,8 +21,7 @@ namespace app {
 BranchesPanel::BranchesPanel(const OpenRun &run, RunEditor &editor, Playback &playback,
                              ComparisonRuns &comparisons, const Theme &theme, QWidget *parent)
     : LivePanel(parent), m_run(run), m_playback(playback), m_comparisons(comparisons), m_theme(theme),
-      m_series(run, comparisons),
-      m_title(new PanelTitle(tr("Two runs"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
+      m_series(run, comparisons), m_title(new PanelTitle(tr("Two runs"), theme, this)),
       m_plot(new DifferencePlot(run, playback, m_series, theme, this)),
       m_export(new PlotExport([this] { return m_plot->picture(); }, theme, this)),
       m_runs(new RunsMenu(run, editor, comparisons, theme, this))
@@ -41,40 +41,28 @@ BranchesPanel::BranchesPanel(const OpenRun &run, RunEditor &editor, Playback &pl
     connect(&m_series, &DifferenceSeries::changed, this, &BranchesPanel::refresh);
     run.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this, &BranchesPanel::refresh);
     run.onChange(ChangeKind::step | ChangeKind::selection, this, &BranchesPanel::nameBodies);
-    connect(&theme, &Theme::changed, this, &BranchesPanel::applyTheme);
+    connect(&theme, &Theme::changed, this, &BranchesPanel::refreshNow);
     nameBodies();
-    applyTheme();
-}
-
-void BranchesPanel::applyTheme()
-{
-    m_runsButton->setIcon(m_theme.icon("runs"));
-    refreshNow();
 }
 
 QWidget *BranchesPanel::tabs()
 {
     auto *row = new QWidget(this);
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    m_farthest = makeTab(tr("Largest distance"),
-                         tr("In each frame, the body that is farthest from its place in the other run"), row);
-    m_selected = makeTab({}, tr("Only the body that is selected in the picture"), row);
-    m_farthest->setChecked(true);
-    auto *group = new QButtonGroup(row);
-    group->addButton(m_farthest);
-    group->addButton(m_selected);
-    layout->addWidget(m_farthest);
-    layout->addWidget(m_selected);
-    connect(m_farthest, &QToolButton::clicked, this, [this] { setOf(DifferenceSeries::Of::farthest); });
-    connect(m_selected, &QToolButton::clicked, this, [this] { setOf(DifferenceSeries::Of::selected); });
-    m_runsButton = makeTab(tr("Runs"), tr("Choose the run to compare with, keep, name and delete runs"), row);
-    m_runsButton->setCheckable(false);
-    m_runsButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_tabs = makeTabs({{tr("Largest distance"),
+                        tr("In each frame, the body that is farthest from its place in the other run")},
+                       {{}, tr("Only the body that is selected in the picture")}},
+                      row);
+    connect(m_tabs, &QButtonGroup::idClicked, this,
+            [this](int id) { setOf(static_cast<DifferenceSeries::Of>(id)); });
+    QToolButton *runs =
+        makeTab(tr("Runs"), tr("Choose the run to compare with, keep, name and delete runs"), row);
+    runs->setCheckable(false);
+    runs->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    showIcon(*runs, "runs", m_theme);
+    auto *layout = static_cast<QHBoxLayout *>(row->layout());
     layout->addSpacing(8);
-    layout->addWidget(m_runsButton);
-    connect(m_runsButton, &QToolButton::clicked, this, [this] { m_runs->popupAbove(*m_runsButton); });
+    layout->addWidget(runs);
+    connect(runs, &QToolButton::clicked, this, [this, runs] { m_runs->popupAbove(*runs); });
     return row;
 }
 
@@ -102,14 +90,14 @@ QString BranchesPanel::sentence() const
 
 void BranchesPanel::setOf(DifferenceSeries::Of of)
 {
-    (of == DifferenceSeries::Of::farthest ? m_farthest : m_selected)->setChecked(true);
+    m_tabs->button(static_cast<int>(of))->setChecked(true);
     m_series.setOf(of);
     refreshNow();
 }
 
 void BranchesPanel::nameBodies()
 {
-    m_selected->setText(bodyTitle(m_run.selected()));
+    m_tabs->button(static_cast<int>(DifferenceSeries::Of::selected))->setText(bodyTitle(m_run.selected()));
 }
 
 void BranchesPanel::goToLargest()

@@ -4,6 +4,7 @@
 #include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
 
+class QButtonGroup;
 class QLabel;
 class QToolButton;
 
@@ -48,7 +49,6 @@ private:
     QWidget *foot();
     void goToLargest();
     void nameBodies();
-    void applyTheme();
 
     const OpenRun &m_run;
     Playback &m_playback;
@@ -59,9 +59,7 @@ private:
     DifferencePlot *m_plot;
     PlotExport *m_export;
     QLabel *m_sentence = nullptr;
-    QToolButton *m_farthest = nullptr;
-    QToolButton *m_selected = nullptr;
-    QToolButton *m_runsButton = nullptr;
+    QButtonGroup *m_tabs = nullptr; ///< in the order of DifferenceSeries::Of
     QToolButton *m_go = nullptr;
     RunsMenu *m_runs;
 };

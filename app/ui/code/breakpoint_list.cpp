@@ -3,7 +3,7 @@
 #include "app/model/code/code_listing.h"
 #include "app/model/text/user_error.h"
 #include "app/ui/dock/divider.h"
-#include "app/ui/theme/theme.h"
+#include "app/ui/theme/icon_button.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QCheckBox>
@@ -86,6 +86,7 @@ BreakpointList::BreakpointList(const OpenRun &run, Playback &playback, const The
     m_error->setContentsMargins(12, 0, 12, 6);
     m_error->hide();
     m_field->setObjectName("stopWhen");
+    m_field->setFont(theme.mono(12));
     m_field->setAccessibleName(tr("Stop when"));
     m_field->setToolTip(tr("Stops the run as soon as this is true, even inside a frame.\nYou can use x, y, "
                            "vx, vy of bodies, frame, phase, and all parameters;\n+ - * / ( ), < <= > >= == "
@@ -109,14 +110,6 @@ BreakpointList::BreakpointList(const OpenRun &run, Playback &playback, const The
             Qt::QueuedConnection);
     run.onChange(ChangeKind::step, this, &BreakpointList::rebuild);
     run.onChange(ChangeKind::run, this, &BreakpointList::suggest); // a sandbox may have other bodies now
-    connect(&theme, &Theme::changed, this, &BreakpointList::applyTheme);
-    applyTheme();
-}
-
-void BreakpointList::applyTheme()
-{
-    m_field->setFont(m_theme.mono(12));
-    m_shown.clear();
     rebuild();
 }
 
@@ -195,7 +188,7 @@ QWidget *BreakpointList::rowFor(const Breakpoint &breakpoint)
     on->setToolTip(stopTip(breakpoint));
     on->setAccessibleName(tr("Breakpoint %1 %2").arg(placeText(breakpoint), breakpoint.condition).trimmed());
     auto *remove = new QToolButton(row);
-    remove->setIcon(m_theme.icon(QStringLiteral("close")));
+    showIcon(*remove, "close", m_theme);
     remove->setIconSize({14, 14});
     remove->setObjectName(QStringLiteral("remove%1").arg(id));
     remove->setToolTip(tr("Remove this breakpoint"));

@@ -43,7 +43,6 @@ private:
     /// Returns whether `text` is a valid condition in this scene. Shows the reason if it is not.
     bool accepts(const QString &text);
     void showError(const QString &text);
-    void applyTheme();
 
     const OpenRun &m_run;
     Playback &m_playback;

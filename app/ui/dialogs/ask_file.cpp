@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
-#include <QStandardPaths>
 
 namespace app {
 
@@ -14,12 +13,8 @@ const char *const folderKey = "files/folder";
 
 QString lastFolder()
 {
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    for (const QString &folder : {QSettings().value(folderKey).toString(), documents}) {
-        if (!folder.isEmpty() && QDir(folder).exists())
-            return folder;
-    }
-    return QDir::homePath();
+    const QString last = QSettings().value(folderKey).toString();
+    return !last.isEmpty() && QDir(last).exists() ? last : standardFolder(QStandardPaths::DocumentsLocation);
 }
 
 QString folderFor(const QString &path)
@@ -38,6 +33,12 @@ QString chosenIn(QFileDialog &dialog)
     return path;
 }
 
+}
+
+QString standardFolder(QStandardPaths::StandardLocation kind)
+{
+    const QString folder = QStandardPaths::writableLocation(kind);
+    return !folder.isEmpty() && QDir(folder).exists() ? folder : QDir::homePath();
 }
 
 QString askWhereToSave(QWidget *parent, const QString &title, const QString &name, const QString &filter)

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <QString>
+#include <QStandardPaths>
 
 class QWidget;
 
 namespace app {
+
+/// Returns the folder of the learner for files of a kind, or the home folder if there is none.
+QString standardFolder(QStandardPaths::StandardLocation kind);
 
 /// Asks where to save a file, and suggests `name`. A name without a folder goes to the folder that was last
 /// used to save or open a file. A typed name without an extension gets the extension of `name`. Asks before

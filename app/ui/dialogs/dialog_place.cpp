@@ -1,9 +1,9 @@
 #include "app/ui/dialogs/dialog_place.h"
 
+#include "app/ui/dock/window_place.h"
+
 #include <QScreen>
 #include <QWidget>
-
-#include <algorithm>
 
 namespace app {
 
@@ -13,15 +13,20 @@ void placeOverParent(QWidget &dialog)
         return;
     const QWidget &window = *dialog.parentWidget()->window();
     const QRect inner = window.geometry(), outer = window.frameGeometry();
-    // The dialog will have the same frame as the window.
-    const QRect room = window.screen()->availableGeometry().adjusted(
-        inner.left() - outer.left(), inner.top() - outer.top(), inner.right() - outer.right(),
-        inner.bottom() - outer.bottom());
-    QRect place(QPoint(), dialog.size().boundedTo(room.size()));
+    const QMargins frame(inner.left() - outer.left(), inner.top() - outer.top(),
+                         outer.right() - inner.right(), outer.bottom() - inner.bottom());
+    QRect place(QPoint(), dialog.size());
     place.moveCenter(inner.center());
-    place.moveLeft(std::clamp(place.left(), room.left(), room.right() + 1 - place.width()));
-    place.moveTop(std::clamp(place.top(), room.top(), room.bottom() + 1 - place.height()));
-    dialog.setGeometry(place);
+    // The dialog will have the same frame as the window.
+    dialog.setGeometry(insideScreen(place, frame, window.screen()->availableGeometry()));
+}
+
+void showInFront(QWidget &dialog)
+{
+    placeOverParent(dialog);
+    dialog.show();
+    dialog.raise();
+    dialog.activateWindow();
 }
 
 }

@@ -101,10 +101,7 @@ void GalleryPage::open()
     m_failure.clear();
     m_gallery.refresh();
     list();
-    placeOverParent(*this);
-    show();
-    raise();
-    activateWindow();
+    showInFront(*this);
     m_cards->setFocus();
 }
 

@@ -1,5 +1,7 @@
 #include "app/ui/dialogs/notice.h"
 
+#include "app/ui/theme/icon_button.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -9,8 +11,8 @@
 namespace app {
 
 Notice::Notice(const Theme &theme, QWidget *parent)
-    : QFrame(parent), m_theme(theme), m_text(new QLabel(this)), m_choices(new QWidget(this)),
-      m_row(new QHBoxLayout(this)), m_close(new QToolButton(this))
+    : QFrame(parent), m_text(new QLabel(this)), m_choices(new QWidget(this)), m_row(new QHBoxLayout(this)),
+      m_close(new QToolButton(this))
 {
     setObjectName("notice");
     setAccessibleName(tr("Notice"));
@@ -27,8 +29,8 @@ Notice::Notice(const Theme &theme, QWidget *parent)
     m_row->addWidget(m_choices);
     m_row->addWidget(m_close);
     connect(m_close, &QToolButton::clicked, this, [this] { showMessage({}); });
-    connect(&theme, &Theme::changed, this, &Notice::applyTheme);
-    applyTheme();
+    showIcon(*m_close, "close", theme);
+    m_close->setIconSize({16, 16});
     hide();
     window()->installEventFilter(this);
 }
@@ -86,12 +88,6 @@ void Notice::showChoices(const std::vector<Choice> &choices)
 QString Notice::sentence() const
 {
     return m_text->text();
-}
-
-void Notice::applyTheme()
-{
-    m_close->setIcon(m_theme.icon("close"));
-    m_close->setIconSize({16, 16});
 }
 
 }

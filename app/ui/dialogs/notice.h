@@ -39,10 +39,8 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    void applyTheme();
     void showChoices(const std::vector<Choice> &choices);
 
-    const Theme &m_theme;
     QLabel *m_text;
     QWidget *m_choices;
     QBoxLayout *m_row;

@@ -11,18 +11,8 @@
 #include <QScopedValueRollback>
 
 #include <algorithm>
-#include <limits>
 
 namespace app {
-
-namespace {
-
-bool isOneFile(const RecoveredScene &a, const RecoveredScene &b)
-{
-    return a.file == b.file;
-}
-
-}
 
 RecoveryPrompt::RecoveryPrompt(const OpenRun &run, Playback &playback, const ComparisonRuns &comparisons,
                                ExperimentFiles &files, Notice &notice, const Theme &theme)
@@ -111,16 +101,13 @@ void RecoveryPrompt::showList()
         connect(m_list, &RecoveryList::deletes, this, &RecoveryPrompt::erase);
     }
     m_notice.showMessage({});
-    placeOverParent(*m_list);
-    m_list->show();
-    m_list->raise();
-    m_list->activateWindow();
+    showInFront(*m_list);
     m_list->list(m_scenes);
 }
 
 void RecoveryPrompt::recover(const RecoveredScene &scene)
 {
-    m_files.unlessLost([this, scene] { open(scene, std::numeric_limits<std::int64_t>::max()); });
+    m_files.unlessLost([this, scene] { open(scene); });
 }
 
 void RecoveryPrompt::erase(const RecoveredScene &scene)
@@ -131,7 +118,7 @@ void RecoveryPrompt::erase(const RecoveredScene &scene)
 
 void RecoveryPrompt::drop(const RecoveredScene &scene)
 {
-    std::erase_if(m_scenes, [&](const RecoveredScene &one) { return isOneFile(one, scene); });
+    std::erase_if(m_scenes, [&](const RecoveredScene &one) { return one.file == scene.file; });
     if (!m_list || !m_list->isVisible())
         return;
     if (m_scenes.empty())
@@ -167,7 +154,7 @@ void RecoveryPrompt::forgetWhatIsOpen()
     m_scenes.erase(open, m_scenes.end());
 }
 
-void RecoveryPrompt::open(const RecoveredScene &scene, std::int64_t upTo)
+void RecoveryPrompt::open(const RecoveredScene &scene)
 {
     const QScopedValueRollback opening(m_isOpening, true);
     std::int64_t frames = 0;
@@ -178,7 +165,7 @@ void RecoveryPrompt::open(const RecoveredScene &scene, std::int64_t upTo)
     });
     if (!isOpen)
         return;
-    m_playback.goTo({std::min(frames, upTo), 0});
+    m_playback.goTo({frames, 0});
     m_autosave->takeOver(scene.name, scene.when); // before forget(), so that one copy always exists
     forget(scene);
     drop(scene);

@@ -45,8 +45,8 @@ private:
     void forgetWhatIsOpen();
     void recover(const RecoveredScene &scene);
     void erase(const RecoveredScene &scene);
-    /// Opens the scene and goes to the end of its run, or to frame `upTo` if that comes first.
-    void open(const RecoveredScene &scene, std::int64_t upTo);
+    /// Opens the scene and goes to the end of its run.
+    void open(const RecoveredScene &scene);
     void drop(const RecoveredScene &scene);
 
     const OpenRun &m_run;

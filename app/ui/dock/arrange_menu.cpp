@@ -1,7 +1,7 @@
 #include "app/ui/dock/arrange_menu.h"
 
 #include "app/ui/actions/command.h"
-#include "app/ui/dock/dock_title.h"
+#include "app/ui/dock/panel_title.h"
 #include "app/ui/theme/theme.h"
 
 #include <QDockWidget>
@@ -94,7 +94,7 @@ void ArrangeMenu::setMovable(bool movable)
                                    : QDockWidget::DockWidgetClosable);
         QWidget *title = panel->titleBarWidget();
         const bool isGrip = title->objectName() == QLatin1String("grip");
-        if (qobject_cast<DockTitle *>(title) || isGrip == movable)
+        if (qobject_cast<PanelTitle *>(title) || isGrip == movable)
             continue;
         panel->setTitleBarWidget(movable ? new Grip(m_theme, &m_window) : new QWidget(&m_window));
         title->deleteLater();

@@ -21,9 +21,7 @@ ButtonFlow::ButtonFlow(QWidget *box) : QWidget(box), m_strip(new QWidget(box)), 
     m_strip->setObjectName("panel"); // text scrolls past behind the buttons
     m_strip->setAttribute(Qt::WA_StyledBackground);
     m_edge->setObjectName("divider");
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
 }
 
 void ButtonFlow::append(QAbstractButton &button, const QString &name, const QString &text, const QString &tip)

@@ -4,8 +4,7 @@
 
 namespace app {
 
-LedgerList::LedgerList(QAbstractItemModel *model, QStyledItemDelegate *delegate, const Theme &theme,
-                       QWidget *parent)
+LedgerList::LedgerList(QAbstractItemModel *model, QStyledItemDelegate *delegate, QWidget *parent)
     : QListView(parent)
 {
     setObjectName("ledger");
@@ -19,7 +18,6 @@ LedgerList::LedgerList(QAbstractItemModel *model, QStyledItemDelegate *delegate,
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setMouseTracking(true);
-    connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
 }
 
 bool paintLedgerRow(QPainter &painter, const QStyleOptionViewItem &option, const Theme &theme)

@@ -61,7 +61,7 @@ class LedgerList : public QListView
     Q_OBJECT
 
 public:
-    LedgerList(QAbstractItemModel *model, QStyledItemDelegate *delegate, const Theme &theme, QWidget *parent);
+    LedgerList(QAbstractItemModel *model, QStyledItemDelegate *delegate, QWidget *parent);
 };
 
 /// Paints the background of a row that is chosen by keyboard or under the pointer. Returns whether it is chosen.

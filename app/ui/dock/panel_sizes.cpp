@@ -22,6 +22,11 @@ constexpr int readableAccuracy = 490;                ///< px, its tab included
 
 }
 
+PanelSizes::PanelSizes(PanelLayout &layout) : m_layout(layout)
+{
+    layout.window.installEventFilter(this);
+}
+
 std::vector<PanelSizes::Side> PanelSizes::sides() const
 {
     const bool isWide = m_layout.window.width() >= wideWindow;
@@ -68,6 +73,12 @@ int PanelSizes::railWidth() const
     const QDockWidget &lessons = m_layout.docks[Panel::lessons];
     const bool isRail = !lessons.isHidden() && lessons.widget()->maximumWidth() == LearnPanel::railWidth;
     return isRail ? LearnPanel::railWidth + separatorWidth() : 0;
+}
+
+void PanelSizes::fit() const
+{
+    fitWidths();
+    fitHeights();
 }
 
 void PanelSizes::fitWidths() const
@@ -125,6 +136,15 @@ void PanelSizes::fitHeights() const
     m_layout.window.resizeDocks({above, &docks[Panel::plots], &docks[Panel::parameters]},
                                 {std::max(1, available - separator - parameters - plots), plots, parameters},
                                 Qt::Vertical);
+}
+
+bool PanelSizes::eventFilter(QObject *, QEvent *event)
+{
+    if (event->type() == QEvent::MouseButtonPress)
+        notePress(static_cast<QMouseEvent &>(*event));
+    else if (event->type() == QEvent::MouseButtonRelease)
+        storeDragged();
+    return false;
 }
 
 void PanelSizes::notePress(const QMouseEvent &event)

@@ -2,6 +2,8 @@
 
 #include "app/ui/dock/panel_layout.h"
 
+#include <QObject>
+
 #include <vector>
 
 class QMouseEvent;
@@ -10,20 +12,18 @@ namespace app {
 
 /// Gives the panels beside the scene their widths and heights: those that the learner chose by dragging a
 /// separator, else those that suit the window.
-class PanelSizes
+class PanelSizes : public QObject
 {
 public:
     /// `layout` must outlive it.
-    explicit PanelSizes(PanelLayout &layout) : m_layout(layout) {}
+    explicit PanelSizes(PanelLayout &layout);
 
+    void fit() const;
     void fitWidths() const;
     /// Gives the parameters the height that they need, and the panels above them the rest.
     void fitHeights() const;
 
-    /// Handles a mouse press in the window. On a separator, the sizes of the panels beside it are noted.
-    void notePress(const QMouseEvent &event);
-    /// Handles the release: stores the sizes that have changed since the press.
-    void storeDragged();
+    bool eventFilter(QObject *window, QEvent *event) override;
 
 private:
     /// A column of panels beside the scene.
@@ -35,6 +35,10 @@ private:
         int least;         ///< px, if the scene needs the room
     };
 
+    /// Handles a mouse press in the window. On a separator, the sizes of the panels beside it are noted.
+    void notePress(const QMouseEvent &event);
+    /// Handles the release: stores the sizes that have changed since the press.
+    void storeDragged();
     std::vector<Side> sides() const;
     /// Returns the width of the rail of lessons with its separator, or 0 if there is no rail, px.
     int railWidth() const;

@@ -8,15 +8,17 @@
 
 namespace app {
 
-PanelTitle::PanelTitle(const QString &title, CaptionPlace place, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_theme(theme), m_title(new QLabel(title, this)), m_caption(new QLabel(this)),
+PanelTitle::PanelTitle(const QString &title, const Theme &theme, QWidget *parent, CaptionPlace place)
+    : QWidget(parent), m_title(new QLabel(title, this)), m_caption(new QLabel(this)),
       m_row(new QHBoxLayout(this))
 {
     setObjectName("dockTitle");
     setAttribute(Qt::WA_StyledBackground);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_title->setObjectName("title");
+    m_title->setFont(theme.ui(13, QFont::DemiBold));
     m_caption->setObjectName("caption");
+    m_caption->setFont(theme.ui(12));
     m_caption->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_caption->setAlignment(place == CaptionPlace::right ? Qt::AlignRight | Qt::AlignVCenter
                                                          : Qt::AlignLeft | Qt::AlignVCenter);
@@ -24,14 +26,6 @@ PanelTitle::PanelTitle(const QString &title, CaptionPlace place, const Theme &th
     m_row->setSpacing(8);
     m_row->addWidget(m_title);
     m_row->addWidget(m_caption, 1);
-    connect(&theme, &Theme::changed, this, &PanelTitle::applyTheme);
-    applyTheme();
-}
-
-void PanelTitle::applyTheme()
-{
-    m_title->setFont(m_theme.ui(13, QFont::DemiBold));
-    m_caption->setFont(m_theme.ui(12));
 }
 
 void PanelTitle::setShortCaption(const QString &caption)

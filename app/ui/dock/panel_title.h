@@ -22,7 +22,8 @@ public:
     static constexpr int height = 36;
     enum class CaptionPlace { besideTitle, right };
 
-    PanelTitle(const QString &title, CaptionPlace place, const Theme &theme, QWidget *parent = nullptr);
+    PanelTitle(const QString &title, const Theme &theme, QWidget *parent = nullptr,
+               CaptionPlace place = CaptionPlace::besideTitle);
 
     QString caption() const;
     void setCaption(const QString &caption);
@@ -38,13 +39,11 @@ public:
     QSize minimumSizeHint() const override;
 
 private:
-    void applyTheme();
     void fit();
     void fitCaption();
     bool event(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
-    const Theme &m_theme;
     QLabel *m_title;
     QLabel *m_caption;
     QString m_captionText;

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QLayout>
 #include <QMainWindow>
+#include <QResizeEvent>
 
 namespace app {
 
@@ -15,6 +16,7 @@ WindowLayouts::WindowLayouts(PanelLayout &layout, DockFitter &fitter, const Pane
                              const PlotsDock &plots, RailChoice &rail)
     : m_layout(layout), m_fitter(fitter), m_sizes(sizes), m_plots(plots), m_rail(rail)
 {
+    layout.window.installEventFilter(this);
 }
 
 LayoutId WindowLayouts::idFor(WindowMode mode) const
@@ -94,8 +96,7 @@ void WindowLayouts::reset()
     if (m_layout.id.mode == WindowMode::measure)
         arrangeForMeasuring();
     m_plots.arrange();
-    m_sizes.fitWidths();
-    m_sizes.fitHeights();
+    m_sizes.fit();
 }
 
 void WindowLayouts::arrangeForMeasuring()
@@ -140,8 +141,24 @@ void WindowLayouts::showAll()
     m_layout.window.layout()->activate();
     restore(*m_hidden);
     m_hidden.reset();
-    m_sizes.fitWidths();
-    m_sizes.fitHeights();
+    m_sizes.fit();
+}
+
+bool WindowLayouts::eventFilter(QObject *, QEvent *event)
+{
+    const bool isResize = event->type() == QEvent::Resize;
+    // A panel may want more than before.
+    if ((isResize || event->type() == QEvent::LayoutRequest) && m_layout.window.isVisible())
+        m_fitter.share();
+    if (isResize) {
+        const auto &sizes = static_cast<QResizeEvent &>(*event);
+        if (!sizes.oldSize().isValid() || hasRoomForPlots(sizes.oldSize()) != hasRoomForPlots(sizes.size()))
+            m_plots.arrange();
+    }
+    // Panels that became smaller with the window get their sizes back.
+    if (isResize || event->type() == QEvent::Show)
+        m_sizes.fit();
+    return false;
 }
 
 }

@@ -13,7 +13,8 @@ class PanelSizes;
 class PlotsDock;
 class RailChoice;
 
-/// Arranges the panels for the mode of the window. Each mode has its own layout, which is stored.
+/// Arranges the panels for the mode of the window. Each mode has its own layout, which is stored. The panels share the
+/// room anew whenever the window changes its size.
 class WindowLayouts : public QObject
 {
     Q_OBJECT
@@ -35,6 +36,8 @@ public:
     /// Hides all panels, until showAll().
     void hideAll();
     void showAll();
+
+    bool eventFilter(QObject *window, QEvent *event) override;
 
 signals:
     /// Panels are about to be arranged in another way. What is shown only for a while has to go first.

@@ -213,7 +213,7 @@ EffectList::EffectList(const Theme &theme, QWidget *parent) : EffectList(new Eff
 }
 
 EffectList::EffectList(EffectListModel *model, const Theme &theme, QWidget *parent)
-    : LedgerList(model, new EffectDelegate(theme), theme, parent), m_model(model)
+    : LedgerList(model, new EffectDelegate(theme), parent), m_model(model)
 {
     setAccessibleName(tr("The effects of the scene and their costs"));
     connect(this, &QListView::entered, this, &EffectList::currentChangedTo);
@@ -255,7 +255,6 @@ EffectHeads::EffectHeads(const Theme &theme, const EffectList &list, QWidget *pa
     : QWidget(parent), m_theme(theme), m_list(list)
 {
     setFixedHeight(headHeight);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 void EffectHeads::paintEvent(QPaintEvent *)

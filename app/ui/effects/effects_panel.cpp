@@ -5,7 +5,6 @@
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/effects/effect_list.h"
 
-#include <QFrame>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -19,8 +18,8 @@ EffectsPanel::EffectsPanel(const OpenRun &run, RunEditor &editor, const Playback
                            QWidget *parent)
     : LivePanel(parent), m_run(run), m_playback(playback),
       m_ledger(run, editor, playback, std::move(function), std::move(thread)),
-      m_title(new PanelTitle(tr("Effects"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
-      m_list(new EffectList(theme, this)), m_remark(new QLabel(this)), m_rest(new QLabel(this)),
+      m_title(new PanelTitle(tr("Effects"), theme, this)), m_list(new EffectList(theme, this)),
+      m_remark(new QLabel(this)), m_rest(new QLabel(this)),
       m_again(new Command(tr("&Measure the effects again"), {QKeySequence("Ctrl+M")}, this))
 {
     m_again->setHelp(tr("Measure what a frame costs where the run is now"));

@@ -92,7 +92,7 @@ EnergyList::EnergyList(const Theme &theme, QWidget *parent) : EnergyList(new Ene
 }
 
 EnergyList::EnergyList(EnergyListModel *model, const Theme &theme, QWidget *parent)
-    : LedgerList(model, new EnergyDelegate(theme), theme, parent), m_model(model)
+    : LedgerList(model, new EnergyDelegate(theme), parent), m_model(model)
 {
     setAccessibleName(tr("Where energy and momentum went"));
     setUniformItemSizes(true);

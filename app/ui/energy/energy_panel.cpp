@@ -29,8 +29,7 @@ constexpr double mostList = 0.42; ///< of the panel's height, for a list below t
 EnergyPanel::EnergyPanel(const OpenRun &run, Playback &playback, const Preview &preview, const Theme &theme,
                          QWidget *parent)
     : LivePanel(parent), m_run(run), m_playback(playback), m_preview(preview), m_series(run, playback),
-      m_title(new PanelTitle(tr("Where it went"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
-      m_pages(new QStackedWidget(this))
+      m_title(new PanelTitle(tr("Where it went"), theme, this)), m_pages(new QStackedWidget(this))
 {
     m_plot = new EnergyPlot(run, playback, m_series, theme, m_pages);
     m_list = new EnergyList(theme, m_pages);

@@ -127,7 +127,7 @@ EnergyPlot::Stack EnergyPlot::stackOf(const sim::Balance &balance, double lowest
 void EnergyPlot::drawEnergy(std::int64_t first, std::int64_t last, double lowest)
 {
     double high = 0.0, low = 0.0;
-    for (std::int64_t frame = first; frame <= last; frame += m_series.rowFrames()) {
+    for (std::int64_t frame = first; frame <= last; frame += m_series.framesPerOutput()) {
         const Stack stack = stackOf(*m_series.at(frame), lowest);
         const auto x = static_cast<double>(frame);
         for (std::size_t i = 0; i < levels; ++i)
@@ -145,7 +145,7 @@ void EnergyPlot::drawEnergy(std::int64_t first, std::int64_t last, double lowest
 void EnergyPlot::drawMomentum(std::int64_t first, std::int64_t last)
 {
     double most = 0.0;
-    for (std::int64_t frame = first; frame <= last; frame += m_series.rowFrames()) {
+    for (std::int64_t frame = first; frame <= last; frame += m_series.framesPerOutput()) {
         const sim::Balance &balance = *m_series.at(frame);
         const sim::Vec2 all = balance.after.momentum, drift = balance.momentum[Account::drift];
         const double values[] = {all.x, all.y, drift.x, drift.y};
@@ -171,7 +171,7 @@ void EnergyPlot::refresh(const EnergyLines &lines)
 {
     for (QCPGraph *graph : m_lines)
         graph->data()->clear();
-    const std::int64_t rows = m_series.rowFrames(), width = shownRows * rows;
+    const std::int64_t rows = m_series.framesPerOutput(), width = shownRows * rows;
     const std::int64_t at = cursorFrame();
     const std::int64_t right = std::min(m_series.last(), std::max(at, m_series.first() + width));
     const std::int64_t left = std::max(m_series.first(), right - width);
@@ -247,7 +247,7 @@ PlotPicture EnergyPlot::picture()
 
 std::optional<std::int64_t> EnergyPlot::frameAt(QPointF place) const
 {
-    const std::int64_t first = m_series.first(), rows = m_series.rowFrames();
+    const std::int64_t first = m_series.first(), rows = m_series.framesPerOutput();
     if (m_series.last() < first)
         return std::nullopt;
     const double row = std::round((timeAt(place) - static_cast<double>(first)) / static_cast<double>(rows));

@@ -4,7 +4,6 @@
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
 #include "app/ui/dialogs/caption.h"
-#include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/film/frame_range.h"
 
 #include <QFileInfo>
@@ -70,14 +69,6 @@ void ExportDialog::complete()
     connect(m_stop, &QPushButton::clicked, this, [this] { isMaking() ? cancel() : reject(); });
     showState();
     resize(dialogWidth, m_column->totalHeightForWidth(dialogWidth));
-}
-
-void ExportDialog::present()
-{
-    placeOverParent(*this);
-    show();
-    raise();
-    activateWindow();
 }
 
 QString ExportDialog::message() const

@@ -50,8 +50,6 @@ protected:
     QPushButton &makeButton() const { return *m_make; }
     /// Adds the buttons, which Tab reaches after all settings, and makes the dialog as high as it needs.
     void complete();
-    /// Shows the dialog over its window.
-    void present();
     void setMessage(const QString &sentence);
     /// Clears the message, unless it is about the export that is being made.
     void clearMessage();

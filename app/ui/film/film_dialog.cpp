@@ -1,29 +1,23 @@
 #include "app/ui/film/film_dialog.h"
 
+#include "app/ui/dialogs/ask_file.h"
 #include "app/ui/dialogs/caption.h"
+#include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/film/film_name.h"
 #include "app/ui/film/film_size.h"
 #include "app/ui/film/frame_range.h"
 
-#include <QDir>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QStandardPaths>
 
 namespace app {
 
 namespace {
 
 constexpr int usualRate = 30;
-
-QString folder()
-{
-    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    return QDir(pictures).exists() ? pictures : QDir::homePath();
-}
 
 }
 
@@ -61,11 +55,11 @@ void FilmDialog::offer()
 {
     if (!isMaking()) {
         range().set(0, static_cast<int>(m_session.experiment().frames));
-        m_name->suggest(folder(), m_session.step().id);
+        m_name->suggest(standardFolder(QStandardPaths::PicturesLocation), m_session.step().id);
         m_name->forbidReplacing();
         clearMessage();
     }
-    present();
+    showInFront(*this);
 }
 
 FilmPlan FilmDialog::plan() const

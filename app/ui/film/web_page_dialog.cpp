@@ -2,6 +2,7 @@
 
 #include "app/ui/dialogs/ask_file.h"
 #include "app/ui/dialogs/caption.h"
+#include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/film/frame_range.h"
 #include "app/ui/film/page_colors.h"
 
@@ -46,7 +47,7 @@ void WebPageDialog::offer(std::vector<PlotSpec> plots, const PageSwitches &switc
         range().set(0, played > 1 ? played : usualFrames);
         clearMessage();
     }
-    present();
+    showInFront(*this);
 }
 
 void WebPageDialog::askPath()

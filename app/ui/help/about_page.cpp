@@ -1,6 +1,7 @@
 #include "app/ui/help/about_page.h"
 
 #include "app/ui/dialogs/dialog_place.h"
+#include "app/ui/dock/divider.h"
 
 #include <QCoreApplication>
 #include <QGridLayout>
@@ -56,7 +57,7 @@ QLabel *aboutLabel(const QString &text, const char *name, QWidget *parent)
 
 }
 
-AboutPage::AboutPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_theme(theme)
+AboutPage::AboutPage(QWidget *parent) : QDialog(parent)
 {
     setWindowTitle(tr("About Springstep"));
     setModal(false);
@@ -64,10 +65,7 @@ AboutPage::AboutPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_t
     column->setContentsMargins(aboutMargin, aboutMargin, aboutMargin, 20);
     column->setSpacing(16);
     column->addWidget(head());
-    auto *line = new QFrame(this);
-    line->setObjectName("divider");
-    line->setFixedHeight(1);
-    column->addWidget(line);
+    column->addWidget(divider(this));
     column->addWidget(libraries());
     column->addStretch(1);
     column->addWidget(buttons());
@@ -146,10 +144,7 @@ QWidget *AboutPage::buttons()
 void AboutPage::open()
 {
     resize(pageWidth, heightForWidth(pageWidth));
-    placeOverParent(*this);
-    show();
-    raise();
-    activateWindow();
+    showInFront(*this);
 }
 
 }

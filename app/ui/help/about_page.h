@@ -1,7 +1,5 @@
 #pragma once
 
-#include "app/ui/theme/theme.h"
-
 #include <QDialog>
 
 namespace app {
@@ -12,7 +10,7 @@ class AboutPage : public QDialog
     Q_OBJECT
 
 public:
-    explicit AboutPage(const Theme &theme, QWidget *parent = nullptr);
+    explicit AboutPage(QWidget *parent = nullptr);
 
     /// Opens the dialog in front, centred over its parent window.
     void open() override;
@@ -21,8 +19,6 @@ private:
     QWidget *head();
     QWidget *libraries();
     QWidget *buttons();
-
-    const Theme &m_theme;
 };
 
 }

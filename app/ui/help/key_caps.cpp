@@ -48,7 +48,6 @@ void KeyCaps::finish()
     for (const Piece &piece : m_pieces)
         words.push_back(piece.text);
     setAccessibleName(words.join(' '));
-    connect(&m_theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 double KeyCaps::widthOf(const Piece &piece) const

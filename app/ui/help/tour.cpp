@@ -62,6 +62,7 @@ Tour::Tour(std::vector<TourStop> stops, const Theme &theme, QWidget *window)
     setObjectName("tour");
     hide();
     m_title->setObjectName("heading");
+    m_text->setFont(theme.ui(13));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::MarkdownText);
     m_count->setObjectName("caption");
@@ -76,9 +77,7 @@ Tour::Tour(std::vector<TourStop> stops, const Theme &theme, QWidget *window)
     m_escape->setEnabled(false);
     connect(m_escape, &QShortcut::activated, this, &Tour::end);
     connect(m_escape, &QShortcut::activatedAmbiguously, this, &Tour::end);
-    connect(&theme, &Theme::changed, this, &Tour::applyTheme);
     window->installEventFilter(this);
-    applyTheme();
 }
 
 void Tour::makeButtons()
@@ -99,13 +98,6 @@ void Tour::makeButtons()
     connect(m_skip, &QPushButton::clicked, this, &Tour::end);
     connect(m_back, &QPushButton::clicked, this, &Tour::back);
     connect(m_next, &QPushButton::clicked, this, &Tour::forward);
-}
-
-void Tour::applyTheme()
-{
-    m_text->setFont(m_theme.ui(13));
-    update();
-    m_ring->update();
 }
 
 bool Tour::isWanted()

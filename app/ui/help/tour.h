@@ -54,7 +54,6 @@ private:
     void forward();
     void back();
     void place();
-    void applyTheme();
 
     /// The side of the part on which the card is.
     enum class Side { right, left, below, above, inside };

@@ -25,9 +25,7 @@ ChoiceRow::ChoiceRow(const QString &text, const Theme &theme, QWidget *parent)
     setAutoExclusive(false); // an exclusive button would be chosen by the arrow keys
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     setToolTip(tr("Choose this answer (Space)"));
     connect(&theme, &Theme::changed, this, &ChoiceRow::applyTheme);
     applyTheme();

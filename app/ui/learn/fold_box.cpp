@@ -29,9 +29,7 @@ WhyButton::WhyButton(const QString &question, const Theme &theme, QWidget *paren
     setCheckable(true);
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(this, &QAbstractButton::toggled, this, &WhyButton::describeState);
     connect(&theme, &Theme::changed, this, &WhyButton::applyTheme);
     describeState();
@@ -109,10 +107,8 @@ FoldBox::FoldBox(const QString &title, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_theme(theme), m_title(new WhyButton(title, theme, this)),
       m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content))
 {
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    m_content->setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_content->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_content->hide();
     m_column->setContentsMargins(foldedLeft, 2, 0, 6);
     m_column->setSpacing(2);

@@ -4,6 +4,7 @@
 #include "app/model/learning/recall_desk.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/actions/command_button.h"
+#include "app/ui/dock/divider.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/learn/after/recall_page.h"
 #include "app/ui/learn/after/summary_page.h"
@@ -12,10 +13,11 @@
 #include "app/ui/learn/lessons/lesson_model.h"
 #include "app/ui/learn/lessons/lesson_rail.h"
 #include "app/ui/learn/step/narration.h"
+#include "app/ui/learn/step_buttons.h"
 #include "app/ui/learn/words/word_card.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QEvent>
-#include <QFrame>
 #include <QKeyEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -37,20 +39,16 @@ constexpr int listMargin = 8;
 
 LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_glossary(session.library()),
-      m_title(new PanelTitle(tr("Lessons"), PanelTitle::CaptionPlace::right, theme, this)),
+      m_title(new PanelTitle(tr("Lessons"), theme, this, PanelTitle::CaptionPlace::right)),
       m_list(new LessonList(session, theme, this)), m_narration(makeNarration()),
       m_summary(new SummaryPage(session, theme, this)), m_rail(new LessonRail(theme, this)),
-      m_map(new QToolButton(m_title)), m_fold(new QToolButton(m_title)), m_unfold(new QToolButton(m_title)),
-      m_divider(new QFrame(this)), m_card(new WordCard(m_glossary, theme, this))
+      m_map(makeIconButton("map", {}, theme, m_title)),
+      m_fold(makeIconButton("fold", "left", theme, m_title)),
+      m_unfold(makeIconButton("allLessons", "down", theme, m_title)), m_divider(divider(this)),
+      m_card(new WordCard(m_glossary, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    m_divider->setObjectName("divider");
-    m_divider->setFixedHeight(1);
-    m_map->setObjectName("map");
-    m_map->setFixedSize(28, 28);
-    m_map->setIconSize({16, 16});
-    m_map->setFocusPolicy(Qt::TabFocus);
     m_map->hide(); // until it has a command
     m_title->addAction(m_map);
     m_title->addAction(m_unfold);
@@ -135,15 +133,8 @@ void LearnPanel::makeProject()
 
 void LearnPanel::makeFold()
 {
-    m_fold->setObjectName("fold");
-    m_fold->setFixedSize(28, 28);
-    m_fold->setIconSize({16, 16});
-    m_fold->setFocusPolicy(Qt::TabFocus);
     m_fold->setAccessibleName(tr("Fold the lessons to a narrow strip"));
     m_fold->setToolTip(m_fold->accessibleName());
-    const auto applyTheme = [this] { m_fold->setIcon(m_theme.icon("left")); };
-    connect(&m_theme, &Theme::changed, m_fold, applyTheme);
-    applyTheme();
     connect(m_fold, &QToolButton::clicked, this, [this] { emit formRequested(Form::rail); });
 }
 
@@ -157,15 +148,8 @@ void LearnPanel::setKeys(const QKeySequence &form, const QKeySequence &back, con
 
 void LearnPanel::makeUnfold()
 {
-    m_unfold->setObjectName("allLessons");
-    m_unfold->setFixedSize(28, 28);
-    m_unfold->setIconSize({16, 16});
     m_unfold->setCheckable(true);
-    m_unfold->setFocusPolicy(Qt::TabFocus);
     m_unfold->setAccessibleName(tr("All lessons"));
-    const auto applyTheme = [this] { m_unfold->setIcon(m_theme.icon("down")); };
-    connect(&m_theme, &Theme::changed, m_unfold, applyTheme);
-    applyTheme();
     connect(m_unfold, &QToolButton::toggled, this, [this](bool on) {
         m_unfold->setToolTip(on ? tr("Back to the text (Esc)") : tr("Show all lessons instead of the text"));
         showPages();
@@ -199,7 +183,8 @@ void LearnPanel::setForm(Form form)
 
 void LearnPanel::updateRail()
 {
-    m_rail->setWays(m_narration->backTip(), m_narration->nextTip(), m_session.preceding());
+    const StepButtons &buttons = m_narration->buttons();
+    m_rail->setWays(buttons.back().toolTip(), buttons.next().toolTip(), m_session.preceding());
     m_rail->setDone(m_session.isStepDone(m_session.lesson(), m_session.step()));
 }
 

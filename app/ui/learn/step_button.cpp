@@ -1,5 +1,8 @@
 #include "app/ui/learn/step_button.h"
 
+#include "app/ui/theme/theme.h"
+
+#include <QEvent>
 #include <QStyle>
 
 namespace app {
@@ -15,7 +18,22 @@ StepButton::StepButton(QWidget *parent) : QPushButton(parent)
     setLayoutDirection(Qt::RightToLeft); // puts the icon after the text
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAutoDefault(false);
+    setFocusPolicy(Qt::TabFocus);
+    setIconSize({16, 16});
     setPrimary(false);
+}
+
+void StepButton::showArrow(const Theme &theme)
+{
+    m_theme = &theme;
+    connect(&theme, &Theme::changed, this, &StepButton::drawArrow);
+    drawArrow();
+}
+
+void StepButton::drawArrow()
+{
+    const Tokens &tokens = m_theme->tokens();
+    setIcon(isEnabled() ? m_theme->icon("right", isPrimary() ? tokens.buttonText : tokens.ink) : QIcon());
 }
 
 void StepButton::setFullText(const QString &text, const QString &brief)
@@ -33,6 +51,15 @@ void StepButton::setPrimary(bool primary)
     style()->unpolish(this);
     style()->polish(this);
     update();
+    if (m_theme)
+        drawArrow();
+}
+
+void StepButton::changeEvent(QEvent *event)
+{
+    QPushButton::changeEvent(event);
+    if (event->type() == QEvent::EnabledChange && m_theme)
+        drawArrow();
 }
 
 QSize StepButton::minimumSizeHint() const

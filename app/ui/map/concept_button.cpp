@@ -75,7 +75,6 @@ ConceptButton::ConceptButton(const ConceptNode &node, const Theme &theme, QWidge
     setCursor(Qt::PointingHandCursor);
     setAccessibleDescription(QStringLiteral("%1 %2").arg(plainText(node.text), node.where));
     setToolTip(tr("Opens %1").arg(node.where));
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     setState(ConceptState::later);
 }
 

@@ -34,7 +34,6 @@ bool contains(const std::vector<std::size_t> &all, std::size_t one)
 ConceptView::ConceptView(const Theme &theme, QWidget *parent) : QWidget(parent), m_theme(theme)
 {
     setAccessibleName(tr("Map of concepts"));
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 void ConceptView::setMap(const ConceptMap &map)

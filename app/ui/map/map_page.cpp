@@ -32,7 +32,6 @@ public:
         : QWidget(parent), m_state(state), m_theme(theme)
     {
         setFixedSize(legendWidth, 20);
-        connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     }
 
 protected:
@@ -133,8 +132,8 @@ void MapPage::makeFoot()
     m_text->setFixedHeight(textHeight); // so that the map does not move
     m_next = new StepButton(this);
     m_next->setObjectName("nextConcept");
-    m_next->setFocusPolicy(Qt::TabFocus);
-    m_next->setIconSize({16, 16});
+    m_next->showArrow(m_theme);
+    m_next->setPrimary(true);
     m_next->setFixedWidth(footWidth);
     auto *close = new QPushButton(tr("Close"), this);
     close->setObjectName("closeMap");
@@ -197,8 +196,6 @@ void MapPage::refresh()
         m_next->setFullText(known > 0 ? tr("Go on: %1").arg(node.title) : tr("Begin: %1").arg(node.title),
                             node.title);
         m_next->setToolTip(tr("Opens %1").arg(node.where));
-        m_next->setPrimary(true);
-        m_next->setIcon(m_theme.icon("right", m_theme.tokens().buttonText));
     }
     describe();
 }

@@ -12,7 +12,6 @@
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHash>
@@ -20,7 +19,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -37,12 +35,6 @@ constexpr int lessonListHeight = 168;
 constexpr int lessonRowHeight = 27;
 constexpr auto webEnding = ".html";
 constexpr auto pdfEnding = ".pdf";
-
-QString documentsFolder()
-{
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QDir(documents).exists() ? documents : QDir::homePath();
-}
 
 QString nameOfFile(const QString &path)
 {
@@ -190,15 +182,13 @@ QString HandInDialog::message() const
 void HandInDialog::offer()
 {
     if (m_file->text().isEmpty())
-        m_file->setText(documentsFolder() + '/' + tr("notebook", "name of a file"));
+        m_file->setText(standardFolder(QStandardPaths::DocumentsLocation) + '/' +
+                        tr("notebook", "name of a file"));
     list();
     followChange();
     if (!isVisible())
         resize(width(), sizeHint().height());
-    placeOverParent(*this);
-    show();
-    raise();
-    activateWindow();
+    showInFront(*this);
     m_name->setFocus();
 }
 

@@ -10,17 +10,16 @@ namespace app {
 namespace {
 
 constexpr int panelBottomMargin = 6;
-constexpr qint64 measureRefresh = 100; ///< during playback: faster numbers cannot be read
 
 }
 
 MeasurePanel::MeasurePanel(const OpenRun &run, const Playback &playback, const Preview &preview,
                            const MeasureSeries &series, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_run(run), m_playback(playback), m_preview(preview), m_series(series), m_theme(theme)
+    : QWidget(parent), m_run(run), m_preview(preview), m_series(series), m_theme(theme), m_pace(playback)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    auto *title = new PanelTitle(tr("Measured"), PanelTitle::CaptionPlace::besideTitle, theme, this);
+    auto *title = new PanelTitle(tr("Measured"), theme, this);
     title->setCaption(tr("at the cursor"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, panelBottomMargin);
@@ -29,7 +28,6 @@ MeasurePanel::MeasurePanel(const OpenRun &run, const Playback &playback, const P
     column->addWidget(title);
     m_run.onChange(everyChange, this, &MeasurePanel::follow);
     connect(&series, &MeasureSeries::changed, this, &MeasurePanel::refresh);
-    connect(&theme, &Theme::changed, this, &MeasurePanel::refreshNow);
     open();
 }
 
@@ -66,7 +64,7 @@ void MeasurePanel::follow(const Change &change)
 
 void MeasurePanel::refresh()
 {
-    if (!m_playback.isPlaying() || !m_sinceRefresh.isValid() || m_sinceRefresh.elapsed() >= measureRefresh)
+    if (m_pace.isDue())
         refreshNow();
 }
 
@@ -74,7 +72,7 @@ void MeasurePanel::refreshNow()
 {
     if (m_step != &m_run.step())
         return; // the series has heard of another step before this panel
-    m_sinceRefresh.start();
+    m_pace.restart();
     for (MeasureRow *row : m_rows)
         row->refresh();
 }

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "app/model/series/measure_series.h"
-#include "app/model/session/playback.h"
 #include "app/model/session/preview.h"
+#include "app/ui/dock/number_pace.h"
 #include "app/ui/theme/theme.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 namespace app {
@@ -37,13 +36,12 @@ private:
     void refreshNow();
 
     const OpenRun &m_run;
-    const Playback &m_playback;
     const Preview &m_preview;
     const MeasureSeries &m_series;
     const Theme &m_theme;
     std::vector<MeasureRow *> m_rows;
     const lessons::Step *m_step = nullptr; ///< whose measures the rows show
-    QElapsedTimer m_sinceRefresh;
+    NumberPace m_pace;
 };
 
 }

@@ -88,7 +88,7 @@ void MeasureRow::refresh()
 void MeasureRow::paintSeries(QPainter &painter, const QRectF &area) const
 {
     const std::int64_t at = m_run.timeline().cursor().frame;
-    const std::int64_t row = m_series.rowFrames();
+    const std::int64_t row = m_series.framesPerOutput();
     // The cursor stays at the right end while the run grows, and moves into the plot when the learner goes
     // back.
     const std::int64_t end = std::clamp(at + shownRows / 4 * row, std::int64_t{0},

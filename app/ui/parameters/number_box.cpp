@@ -36,7 +36,7 @@ QString plain(QString text)
 }
 
 NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
-    : QDoubleSpinBox(parent), m_theme(theme), m_min(parameter.min), m_max(parameter.max),
+    : QDoubleSpinBox(parent), m_min(parameter.min), m_max(parameter.max),
       m_decimals(parameter.isInteger ? 0 : parameter.decimals), m_scale(parameter.scale)
 {
     setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -48,25 +48,19 @@ NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QW
     setRange(-farthest, farthest);
     setSingleStep(parameter.isInteger ? 1.0 : std::pow(10.0, -parameter.decimals));
     setFixedSize(width_, height_);
+    setFont(theme.mono(13));
     connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::chosen);
     connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::write);
-    connect(&theme, &Theme::changed, this, &NumberBox::applyTheme);
     connect(qApp, &QApplication::focusChanged, this, &NumberBox::remember);
     lineEdit()->installEventFilter(this);
     lineEdit()->setAcceptDrops(false); // the window takes files
-    applyTheme();
+    write();
 }
 
 NumberBox::~NumberBox()
 {
     // During destruction Qt moves the focus, and this object is no longer a NumberBox by then.
     disconnect(qApp, nullptr, this, nullptr);
-}
-
-void NumberBox::applyTheme()
-{
-    setFont(m_theme.mono(13));
-    write();
 }
 
 void NumberBox::show(double value)

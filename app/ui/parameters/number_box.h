@@ -58,7 +58,6 @@ private:
     static constexpr int widest_ = 96; ///< ten figures, such as 1000000.25
     static constexpr int height_ = 26;
 
-    void applyTheme();
     void write();
     /// Commits the number typed so far.
     void takeTyped();
@@ -73,7 +72,6 @@ private:
     /// Returns how much an arrow key changes `value`. The sign of `steps` is the direction.
     double stepFrom(double value, int steps) const;
 
-    const Theme &m_theme;
     double m_min;
     double m_max;
     int m_decimals;

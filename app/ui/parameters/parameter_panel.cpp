@@ -3,6 +3,7 @@
 #include "app/model/session/offered_parameters.h"
 #include "app/model/text/sentences.h"
 #include "app/ui/dock/panel_title.h"
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/parameters/parameter_row.h"
 
 #include <QScrollArea>
@@ -21,24 +22,17 @@ constexpr int labelWidth = 88;
 constexpr int unitWidth = 53;
 constexpr int disclosureHeight = 28;
 constexpr int bottomMargin = 12;
-constexpr qint64 refreshMilliseconds = 100; ///< during playback: faster numbers cannot be read
 
 }
 
 ParameterPanel::ParameterPanel(const OpenRun &run, RunEditor &editor, const Playback &playback,
                                const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_run(run), m_editor(editor), m_playback(playback), m_theme(theme)
+    : QWidget(parent), m_run(run), m_editor(editor), m_theme(theme), m_pace(playback)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    m_area = new QScrollArea(this);
-    m_area->setWidgetResizable(true);
-    m_area->setFrameShape(QFrame::NoFrame);
-    m_area->setFocusPolicy(Qt::NoFocus);
-    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto *page = new QWidget;
-    page->setObjectName("panel");
-    page->setAttribute(Qt::WA_StyledBackground);
+    m_area = makeScrollArea(*this);
+    QWidget *page = makePage();
     m_column = new QVBoxLayout(page);
     m_column->setContentsMargins(0, 0, 0, 4); // smaller than preferred: a dock may be slightly too low
     m_column->setSpacing(0);
@@ -50,34 +44,29 @@ ParameterPanel::ParameterPanel(const OpenRun &run, RunEditor &editor, const Play
     column->addWidget(makeTitle());
     column->addWidget(m_area, 1);
     m_run.onChange(everyChange, this, &ParameterPanel::follow);
-    connect(&theme, &Theme::changed, this, &ParameterPanel::applyTheme);
+    connect(&theme, &Theme::changed, this, &ParameterPanel::drawArrow);
     open();
 }
 
 QWidget *ParameterPanel::makeTitle()
 {
-    auto *title = new PanelTitle(tr("Parameters"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
-    makePresets(title);
-    title->addAction(m_presets);
-    m_resetAll = new QToolButton(title);
-    m_resetAll->setObjectName("resetAll");
-    m_resetAll->setText(tr("Reset all"));
-    m_resetAll->setFixedHeight(28);
-    m_resetAll->setFocusPolicy(Qt::TabFocus);
-    connect(m_resetAll, &QToolButton::clicked, &m_editor, &RunEditor::resetParameters);
-    title->addAction(m_resetAll);
-    return title;
-}
-
-void ParameterPanel::makePresets(QWidget *title)
-{
-    m_presets = new QToolButton(title);
-    m_presets->setObjectName("presets");
-    m_presets->setText(tr("Presets"));
+    auto *title = new PanelTitle(tr("Parameters"), m_theme, this);
+    const auto addButton = [&](const QString &name, const QString &text) {
+        auto *button = new QToolButton(title);
+        button->setObjectName(name);
+        button->setText(text);
+        button->setFont(m_theme.ui());
+        button->setFixedSize(button->fontMetrics().horizontalAdvance(text) + 8, 28);
+        button->setFocusPolicy(Qt::TabFocus); // after a click, Space still starts playback
+        title->addAction(button);
+        return button;
+    };
+    m_presets = addButton("presets", tr("Presets"));
     m_presets->setToolTip(tr("Pictures of this step with other values"));
-    m_presets->setFixedHeight(28);
-    m_presets->setFocusPolicy(Qt::TabFocus); // after a click, Space still starts playback
     connect(m_presets, &QToolButton::clicked, this, [this] { m_gallery->popUp(*m_presets); });
+    m_resetAll = addButton("resetAll", tr("Reset all"));
+    connect(m_resetAll, &QToolButton::clicked, &m_editor, &RunEditor::resetParameters);
+    return title;
 }
 
 void ParameterPanel::setPresetPainter(PresetPainter painter)
@@ -124,6 +113,7 @@ void ParameterPanel::makeDisclosure()
 {
     m_more = new QToolButton(this);
     m_more->setObjectName("disclosure");
+    m_more->setFont(m_theme.ui(12));
     m_more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_more->setIconSize({12, 12});
     m_more->setFixedHeight(disclosureHeight);
@@ -150,7 +140,7 @@ void ParameterPanel::open()
     alignColumns();
     m_chosen = false;
     m_unfolded = false;
-    applyTheme();
+    nameRest();
     unfoldIfRoom();
     unfold(m_unfolded);
     showMarked();
@@ -227,14 +217,13 @@ void ParameterPanel::nameRest()
 
 void ParameterPanel::refresh()
 {
-    if (!m_playback.isPlaying() || !m_sinceRefresh.isValid() ||
-        m_sinceRefresh.elapsed() >= refreshMilliseconds)
+    if (m_pace.isDue())
         refreshNow();
 }
 
 void ParameterPanel::refreshNow()
 {
-    m_sinceRefresh.start();
+    m_pace.restart();
     bool changed = false;
     for (ParameterRow *row : m_rows) {
         row->refresh();
@@ -252,11 +241,16 @@ void ParameterPanel::unfold(bool all)
     m_unfolded = all;
     for (std::size_t i = alwaysShown; i < m_rows.size(); ++i)
         m_rows[i]->setVisible(all);
-    m_more->setIcon(m_theme.icon(all ? "down" : "right"));
+    drawArrow();
     m_more->setToolTip(all ? tr("Show fewer parameters") : tr("Show all parameters"));
     m_more->setAccessibleName(all ? tr("%1, shown").arg(m_rest) : tr("%1, folded").arg(m_rest));
     updateGeometry();
-    emit wantedHeightChanged(sizeHint().height());
+    emit wantedHeightChanged();
+}
+
+void ParameterPanel::drawArrow()
+{
+    m_more->setIcon(m_theme.icon(m_unfolded ? "down" : "right"));
 }
 
 void ParameterPanel::unfoldIfRoom()
@@ -299,17 +293,6 @@ void ParameterPanel::resizeEvent(QResizeEvent *event)
     m_placed = true;
     nameRest();
     unfoldIfRoom();
-}
-
-void ParameterPanel::applyTheme()
-{
-    for (QToolButton *button : {m_presets, m_resetAll}) {
-        button->setFont(m_theme.ui());
-        button->setFixedWidth(button->fontMetrics().horizontalAdvance(button->text()) + 8);
-    }
-    m_more->setFont(m_theme.ui(12));
-    nameRest();
-    m_more->setIcon(m_theme.icon(m_unfolded ? "down" : "right"));
 }
 
 }

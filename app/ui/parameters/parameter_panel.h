@@ -1,12 +1,11 @@
 #pragma once
 
 #include "app/model/session/open_run.h"
-#include "app/model/session/playback.h"
 #include "app/model/session/run_editor.h"
+#include "app/ui/dock/number_pace.h"
 #include "app/ui/parameters/preset_gallery.h"
 #include "app/ui/theme/theme.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 #include <vector>
@@ -46,14 +45,13 @@ public:
 
 signals:
     /// Emitted when sizeHint().height() changes.
-    void wantedHeightChanged(int height);
+    void wantedHeightChanged();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     QWidget *makeTitle();
-    void makePresets(QWidget *title);
     void makeDisclosure();
     void showPresets();
     void open();
@@ -68,14 +66,13 @@ private:
     void refresh();
     void refreshNow();
     void unfold(bool all);
+    void drawArrow();
     void unfoldIfRoom();
     void showMarked();
     int heightOf(std::size_t rows, bool disclosure) const;
-    void applyTheme();
 
     const OpenRun &m_run;
     RunEditor &m_editor;
-    const Playback &m_playback;
     const Theme &m_theme;
     QToolButton *m_presets = nullptr;
     QToolButton *m_resetAll = nullptr;
@@ -87,7 +84,7 @@ private:
     QStringList m_marked;  ///< ids of the rows that are marked
     QString m_rest;        ///< the names of the parameters that m_more unfolds
     std::vector<ParameterRow *> m_rows;
-    QElapsedTimer m_sinceRefresh;
+    NumberPace m_pace;
     bool m_placed = false; ///< whether it has been given a size
     bool m_unfolded = false;
     bool m_chosen = false; ///< whether the learner folded or unfolded the rest by hand

@@ -6,6 +6,7 @@
 #include "app/ui/parameters/grouped_choice.h"
 #include "app/ui/parameters/number_box.h"
 #include "app/ui/parameters/parameter_slider.h"
+#include "app/ui/theme/icon_button.h"
 #include "lessons/api/parameter.h"
 
 #include <QAbstractItemView>
@@ -49,12 +50,11 @@ ParameterRow::ParameterRow(const OpenRun &run, RunEditor &editor, const lessons:
         makeChoice();
     m_unit = new QLabel(parameter.unit, this);
     m_unit->setObjectName("caption");
+    m_unit->setFont(theme.ui(12));
     makeReset();
     auto *row = new QHBoxLayout(this);
     fill(*row);
     setToolTip(tr("%1 %2").arg(parameter.help, rangeText()));
-    connect(&theme, &Theme::changed, this, &ParameterRow::applyTheme);
-    applyTheme();
     refresh();
 }
 
@@ -62,8 +62,10 @@ void ParameterRow::makeLabel()
 {
     m_label = new QWidget(this);
     m_name = new QLabel(m_parameter.name, m_label);
+    m_name->setFont(m_theme.ui());
     m_symbol = new QLabel(m_parameter.symbol, m_label);
     m_symbol->setObjectName("symbol");
+    m_symbol->setFont(m_theme.mono(12));
     auto *row = new QHBoxLayout(m_label);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
@@ -115,6 +117,7 @@ void ParameterRow::makeReset()
 {
     m_reset = new QToolButton(this);
     m_reset->setObjectName("reset");
+    showIcon(*m_reset, "reset", m_theme, &Tokens::ink3);
     m_reset->setFixedSize(resetSize, resetSize);
     m_reset->setIconSize({14, 14});
     m_reset->setFocusPolicy(Qt::TabFocus);
@@ -231,14 +234,6 @@ void ParameterRow::refresh()
         m_slider->setComparison(was);
     }
     m_reset->setVisible(m_form == Form::whole && value != m_parameter.defaultValue);
-}
-
-void ParameterRow::applyTheme()
-{
-    m_name->setFont(m_theme.ui());
-    m_symbol->setFont(m_theme.mono(12));
-    m_unit->setFont(m_theme.ui(12));
-    m_reset->setIcon(m_theme.icon("reset", m_theme.tokens().ink3));
 }
 
 }

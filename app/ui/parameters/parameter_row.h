@@ -56,7 +56,6 @@ private:
     void makeReset();
     void fill(QHBoxLayout &row);
     void choose(double value);
-    void applyTheme();
     QString rangeText() const;
 
     const OpenRun &m_run;

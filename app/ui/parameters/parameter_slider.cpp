@@ -39,7 +39,6 @@ ParameterSlider::ParameterSlider(const lessons::Parameter &parameter, const Them
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setLayoutDirection(Qt::LeftToRight); // numbers grow to the right in every language
     connect(this, &QSlider::valueChanged, this, [this](int position) { emit chosen(valueAt(position)); });
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 int ParameterSlider::positionOf(double value) const

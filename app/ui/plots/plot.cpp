@@ -50,20 +50,11 @@ QAccessibleInterface *makePlotAccess(const QString &, QObject *object)
     return plot ? new PlotAccess(plot) : nullptr;
 }
 
-void installPlotAccess()
-{
-    static const bool once = [] {
-        QAccessible::installFactory(makePlotAccess);
-        return true;
-    }();
-    Q_UNUSED(once);
-}
-
 }
 
 Plot::Plot(const Theme &theme, QWidget *parent) : QCustomPlot(parent), m_theme(theme)
 {
-    installPlotAccess();
+    QAccessible::installFactory(makePlotAccess);
     setLayoutDirection(Qt::LeftToRight); // axes are the same in every language
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);

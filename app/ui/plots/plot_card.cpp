@@ -6,6 +6,7 @@
 #include "app/ui/plots/plot_value.h"
 #include "app/ui/plots/quantity_menu.h"
 #include "app/ui/scene/flat_button.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
@@ -19,9 +20,8 @@ namespace app {
 
 namespace {
 
-constexpr int headerHeight = 30;       ///< px
-constexpr int gap = 4;                 ///< px
-constexpr int valueMilliseconds = 100; ///< between two numbers while playing: faster ones cannot be read
+constexpr int headerHeight = 30; ///< px
+constexpr int gap = 4;           ///< px
 
 }
 
@@ -42,8 +42,6 @@ PlotCard::PlotCard(const OpenRun &run, Playback &playback, const ComparisonRuns 
     connect(m_plot, &QuantityPlot::pointedAt, this, &PlotCard::pointedAt);
     connect(m_plot, &QuantityPlot::zoomWanted, this, &PlotCard::zoomWanted);
     connect(m_plot, &QuantityPlot::removalWanted, this, &PlotCard::removalWanted);
-    connect(&theme, &Theme::changed, this, &PlotCard::applyTheme);
-    applyTheme();
 }
 
 FlatButton *PlotCard::chooser(QuantityMenu *menu, const QString &tip)
@@ -67,12 +65,9 @@ QWidget *PlotCard::header()
     m_up = chooser(up, tr("Plotted quantity"));
     m_across = chooser(across, tr("The other axis: time, or another quantity"));
     m_value = new PlotValue(m_theme, row);
-    m_more = new QToolButton(row);
-    m_more->setObjectName("plotMenu");
-    m_more->setFocusPolicy(Qt::TabFocus);
+    m_more = makeIconButton("plotMenu", "more", m_theme, row);
     m_more->setToolTip(tr("Save, copy, keep or remove this plot"));
     m_more->setAccessibleName(tr("Actions for this plot"));
-    m_more->setFixedSize(28, 28);
     connect(m_more, &QToolButton::clicked, this,
             [this] { openMenu(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
     auto *layout = new QHBoxLayout(row);
@@ -87,12 +82,6 @@ QWidget *PlotCard::header()
     return row;
 }
 
-void PlotCard::applyTheme()
-{
-    m_more->setIcon(m_theme.icon("more"));
-    m_more->setIconSize({16, 16});
-}
-
 void PlotCard::setSpec(const PlotSpec &spec)
 {
     m_plot->setSpec(spec);
@@ -102,9 +91,9 @@ void PlotCard::refresh(const std::vector<double> &begun, const std::optional<Plo
 {
     m_plot->refresh(begun, inside);
     writeHeader();
-    if (m_playback.isPlaying() && m_sinceValue.isValid() && !m_sinceValue.hasExpired(valueMilliseconds))
+    if (!m_pace.isDue())
         return;
-    m_sinceValue.start();
+    m_pace.restart();
     // The two numbers of a plot without time take too much room here; the axes show them.
     const bool isShown = spec().isAgainstTime() && m_plot->emptyText().isEmpty();
     m_value->setText(isShown ? m_plot->valueText() : QString(), m_plot->exactText());

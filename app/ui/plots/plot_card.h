@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/ui/dock/number_pace.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/quantity_plot.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 class QToolButton;
@@ -45,7 +45,6 @@ protected:
 private:
     QWidget *header();
     FlatButton *chooser(QuantityMenu *menu, const QString &tip);
-    void applyTheme();
     void fitHeader();
     void writeHeader();
     void openMenu(const QPoint &place);
@@ -62,7 +61,7 @@ private:
     FlatButton *m_up = nullptr;
     FlatButton *m_across = nullptr;
     PlotValue *m_value = nullptr;
-    QElapsedTimer m_sinceValue;
+    NumberPace m_pace{m_playback};
     QToolButton *m_more = nullptr;
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/model/text/quoting.h"
 #include "app/ui/dialogs/ask_file.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -63,23 +64,14 @@ void PlotExport::addContextMenu(QWidget &plot)
 
 QToolButton *PlotExport::makeButton(QWidget *parent)
 {
-    auto *button = new QToolButton(parent);
+    QToolButton *button = makeIconButton("plotMenu", "more", m_theme, parent);
     auto *menu = new QMenu(button);
     menu->setToolTipsVisible(true);
     addTo(*menu);
-    button->setObjectName("plotMenu");
     button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setFixedSize(28, 28);
     button->setToolTip(tr("Save or copy this plot"));
     button->setAccessibleName(tr("Save or copy this plot"));
-    const auto applyTheme = [this, button] {
-        button->setIcon(m_theme.icon("more"));
-        button->setIconSize({16, 16});
-    };
-    applyTheme();
-    connect(&m_theme, &Theme::changed, button, applyTheme);
     return button;
 }
 

@@ -6,6 +6,7 @@
 #include "app/model/text/quantity_text.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/progress_line.h"
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/scene/flat_button.h"
@@ -35,8 +36,7 @@ constexpr int heightOfTwo = 420;
 PlotsPanel::PlotsPanel(const OpenRun &run, Playback &playback, const Preview &preview,
                        const ComparisonRuns &comparisons, const Theme &theme, QWidget *parent)
     : LivePanel(parent), m_run(run), m_playback(playback), m_preview(preview), m_comparisons(comparisons),
-      m_theme(theme), m_series(run, playback, comparisons),
-      m_title(new PanelTitle(tr("Plots"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
+      m_theme(theme), m_series(run, playback, comparisons), m_title(new PanelTitle(tr("Plots"), theme, this)),
       m_add(new FlatButton(theme, this)), m_pages(new QStackedWidget(this))
 {
     m_add->setTexts({}, tr("Add"));
@@ -44,14 +44,8 @@ PlotsPanel::PlotsPanel(const OpenRun &run, Playback &playback, const Preview &pr
     m_add->setToolTip(tr("Another plot"));
     m_add->setAccessibleName(tr("Add a plot"));
     m_title->addAction(m_add);
-    m_scroll = new QScrollArea(m_pages);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    auto *inside = new QWidget(m_scroll);
-    inside->setObjectName("panel");
-    inside->setAttribute(Qt::WA_StyledBackground);
+    m_scroll = makeScrollArea(*m_pages);
+    QWidget *inside = makePage();
     m_column = new QVBoxLayout(inside);
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(0);
@@ -116,7 +110,7 @@ void PlotsPanel::fillAddMenu(QMenu &menu)
         connect(made, &QAction::triggered, this, [this, plot] { add(plot); });
     };
     const auto ofTime = [&](QuantityKind what) {
-        return offer(tr("%1 against time").arg(measuredTitle(what)), {{what}});
+        return offer(tr("%1 against time").arg(kindTitle(what)), {{what}});
     };
     ofTime(QuantityKind::placeX);
     ofTime(QuantityKind::placeY);
@@ -243,7 +237,7 @@ void PlotsPanel::rebuild()
     for (std::size_t i = 0; i < m_cards.size(); ++i)
         m_cards[i]->setSpec(m_list.plots()[i]);
     m_pages->setCurrentIndex(m_cards.empty() ? 1 : 0);
-    m_series.setQuantities(m_list.quantities());
+    m_series.setQuantities(quantitiesOf(m_list.plots()));
     refreshSoon();
     m_wantedHeight = sizeHint().height();
     if (m_wantedHeight != wanted)
@@ -308,14 +302,14 @@ void PlotsPanel::setPointedBody(const QString &body)
 
 void PlotsPanel::zoom(int steps)
 {
-    std::int64_t rows = m_series.mostRows();
+    std::int64_t rows = m_series.mostSteps();
     const std::int64_t shown =
-        (m_series.window().last - m_series.window().first) / std::max(1, m_series.rowFrames());
+        (m_series.window().last - m_series.window().first) / std::max(1, m_series.framesPerOutput());
     if (steps > 0)
         rows = std::min(rows, shown) >> steps; // from the frames shown: a short run has fewer than the limit
     else
-        rows = std::min(rows << -steps, PlotSeries::allRows);
-    m_series.setMostRows(rows);
+        rows = std::min(rows << -steps, PlotSeries::allSteps);
+    m_series.setMostSteps(rows);
 }
 
 NumberTable *PlotsPanel::table() const

@@ -29,8 +29,8 @@ void QuantityMenu::fill()
     clear();
     const Quantity current = m_current();
     if (m_axis == Axis::across) {
-        addChoice(*this, measuredTitle(QuantityKind::time), {}, current.what == QuantityKind::time)
-            ->setToolTip(measuredHelp(QuantityKind::time));
+        addChoice(*this, kindTitle(QuantityKind::time), {}, current.what == QuantityKind::time)
+            ->setToolTip(kindHelp(QuantityKind::time));
         addSeparator();
     }
     addQuantities(current, About::oneBody);
@@ -46,14 +46,14 @@ void QuantityMenu::fill()
 void QuantityMenu::addQuantities(const Quantity &current, About about)
 {
     const Eigen::ArrayXd &angles = scene().start.angle;
-    for (const QuantityKind what : allMeasured()) {
+    for (const QuantityKind what : quantityKinds()) {
         const bool isAngle = what == QuantityKind::angle || what == QuantityKind::spin;
         if (aboutOf(what) != about || what == QuantityKind::time ||
             (isAngle && angles.rows() == 0 && what != current.what))
             continue;
         const Quantity quantity{what, about == About::run ? QString() : current.body};
-        QAction *made = addChoice(*this, measuredTitle(what), quantity, what == current.what);
-        made->setToolTip(measuredHelp(what));
+        QAction *made = addChoice(*this, kindTitle(what), quantity, what == current.what);
+        made->setToolTip(kindHelp(what));
         const Quantity bound = boundTo(quantity, m_run.selected());
         if (const std::optional<NoValue> why = whyNot(bound, scene())) {
             made->setEnabled(*why == NoValue::noSuchBody); // the body can still be changed

@@ -342,7 +342,7 @@ std::optional<std::int64_t> QuantityPlot::frameAt(QPointF where) const
                    ? std::optional(run.frameOf(bucket))
                    : std::nullopt;
     }
-    const auto rows = static_cast<double>(m_series.rowFrames() * run.stride());
+    const auto rows = static_cast<double>(m_series.framesPerOutput() * run.stride());
     const double frame = xAxis->pixelToCoord(where.x());
     const double first = static_cast<double>(run.firstFrame());
     const auto bucket = static_cast<std::int64_t>(std::lround(std::max(0.0, (frame - first) / rows)));

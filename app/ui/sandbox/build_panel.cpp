@@ -4,7 +4,9 @@
 #include "app/model/sandbox/sandbox.h"
 #include "app/ui/actions/commands.h"
 #include "app/ui/actions/sandbox_commands.h"
+#include "app/ui/dock/divider.h"
 #include "app/ui/dock/panel_title.h"
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/after/project_box.h"
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
@@ -37,14 +39,6 @@ constexpr int toolColumns = 3;
 constexpr int leastSeen = 140; ///< px of the properties of a pressed part that come into view
 constexpr int seenAround = 40; ///< px that stay visible above and below the control that the guide asks for
 
-QFrame *dividerIn(QWidget *parent)
-{
-    auto *line = new QFrame(parent);
-    line->setObjectName("divider");
-    line->setFixedHeight(1);
-    return line;
-}
-
 /// Makes a button that triggers `command` and is shown pressed while the command is checked.
 QToolButton *toolButton(Command *command, const Theme &theme, QWidget *parent)
 {
@@ -72,7 +66,7 @@ BuildPanel::BuildPanel(const OpenRun &run, RunEditor &changes, Playback &playbac
                        BuildGuide &guide, const SandboxCommands &build, const Commands &commands,
                        const Theme &theme, QWidget *parent)
     : QWidget(parent), m_run(run), m_changes(changes), m_playback(playback), m_editor(editor), m_guide(guide),
-      m_theme(theme), m_title(new PanelTitle(tr("Build"), PanelTitle::CaptionPlace::right, theme, this)),
+      m_theme(theme), m_title(new PanelTitle(tr("Build"), theme, this, PanelTitle::CaptionPlace::right)),
       m_guideBox(new GuideBox(guide, this)), m_ring(new GuideRing(theme)),
       m_gallery(new ExampleGallery(run, changes, theme, this))
 {
@@ -83,10 +77,10 @@ BuildPanel::BuildPanel(const OpenRun &run, RunEditor &changes, Playback &playbac
     column->setSpacing(0);
     column->addWidget(m_title);
     column->addWidget(palette(build));
-    column->addWidget(dividerIn(this));
+    column->addWidget(divider(this));
     column->addWidget(m_guideBox);
     column->addWidget(page(*commands.run.restart), 1);
-    column->addWidget(dividerIn(this));
+    column->addWidget(divider(this));
     column->addWidget(feet(*commands.view.learn));
     connect(&editor, &SandboxEditor::changed, this, &BuildPanel::refresh);
     run.onChange(ChangeKind::step | ChangeKind::run, this, &BuildPanel::refresh);
@@ -133,14 +127,8 @@ QLabel *BuildPanel::heading(const QString &text)
 
 QWidget *BuildPanel::page(const Command &restart)
 {
-    auto *area = m_area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto *content = new QWidget;
-    content->setObjectName("panel");
-    content->setAttribute(Qt::WA_StyledBackground);
+    m_area = makeScrollArea(*this);
+    QWidget *content = makePage();
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(0);
@@ -172,8 +160,8 @@ QWidget *BuildPanel::page(const Command &restart)
     column->addWidget(m_effects);
     column->addWidget(beginning(content));
     column->addStretch(1);
-    area->setWidget(content);
-    return area;
+    m_area->setWidget(content);
+    return m_area;
 }
 
 QWidget *BuildPanel::beginning(QWidget *parent)

@@ -15,7 +15,6 @@ GuideRing::GuideRing(const Theme &theme, QWidget *parent) : QFocusFrame(parent),
 {
     setObjectName("guideRing");
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 void GuideRing::paintEvent(QPaintEvent *)

@@ -25,7 +25,6 @@ FlatButton::FlatButton(const Theme &theme, QWidget *parent) : QToolButton(parent
     setPopupMode(QToolButton::InstantPopup);
     setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 void FlatButton::setTexts(const QString &caption, const QString &value)

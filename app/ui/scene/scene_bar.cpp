@@ -54,7 +54,6 @@ SceneBar::SceneBar(const OpenRun &run, RunEditor &editor, LearnerCode &code, con
     connect(m_steps, &StepMenu::chosen, this, &SceneBar::showValues);
     m_step->setMenu(m_steps);
     run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &SceneBar::showValues);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     showValues();
 }
 

@@ -10,18 +10,12 @@
 #include <QMainWindow>
 #include <QSettings>
 
-#include <algorithm>
-#include <array>
-
 namespace app {
 
 namespace {
 
 constexpr const char *schemeKey = "window/scheme";
-constexpr const char *sizeKey = "window/size";
 constexpr const char *motionKey = "window/lessMotion";
-constexpr std::array allSizes{100, 125, 150, 175, 200}; ///< percent
-constexpr QSize leastRoom{800, 500};                    ///< px at 100 % that the scene with its time needs
 
 const char *nameOf(Scheme scheme)
 {
@@ -46,29 +40,6 @@ Scheme storedScheme()
             return scheme;
     }
     return Scheme::light;
-}
-
-int storedSize()
-{
-    const int stored = QSettings().value(sizeKey, allSizes.front()).toInt();
-    return std::find(allSizes.begin(), allSizes.end(), stored) == allSizes.end() ? allSizes.front() : stored;
-}
-
-std::vector<int> sizes()
-{
-    return {allSizes.begin(), allSizes.end()};
-}
-
-void storeSize(int size)
-{
-    QSettings().setValue(sizeKey, size);
-}
-
-bool hasRoomFor(int size, QSize screen)
-{
-    const QSize room = screen * 100 / size;
-    return size == allSizes.front() ||
-           (room.width() >= leastRoom.width() && room.height() >= leastRoom.height());
 }
 
 Appearance::Appearance(QMainWindow &window, SceneBar &bar, SceneView &scene, const ViewCommands &commands,

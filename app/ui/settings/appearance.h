@@ -3,9 +3,6 @@
 #include "app/ui/theme/theme.h"
 
 #include <QObject>
-#include <QSize>
-
-#include <vector>
 
 class QActionGroup;
 class QMainWindow;
@@ -19,15 +16,6 @@ struct ViewCommands;
 
 /// Returns the colours that the learner chose last; light at first.
 Scheme storedScheme();
-/// Returns the size of text and controls that the learner chose last, in percent. It holds from the start of the
-/// program on, because Qt needs it before the first window.
-int storedSize();
-/// Returns the sizes that a learner can choose, in percent.
-std::vector<int> sizes();
-/// Stores the size that the learner chose, in percent.
-void storeSize(int size);
-/// Returns whether a screen of so many px has room for the window at a size, in percent. It always has for 100.
-bool hasRoomFor(int size, QSize screen);
 
 /// Applies and stores the learner's choice of colours and motion, and of what the scene shows.
 class Appearance : public QObject

@@ -1,17 +1,40 @@
 #include "app/ui/settings/size_menu.h"
 
-#include "app/ui/settings/appearance.h"
-
 #include <QActionGroup>
 #include <QScreen>
+#include <QSettings>
+
+#include <algorithm>
+#include <array>
 
 namespace app {
+
+namespace {
+
+constexpr const char *sizeKey = "window/size";
+constexpr std::array sizes{100, 125, 150, 175, 200}; ///< percent
+constexpr QSize leastRoom{800, 500};                 ///< px at 100 % that the scene with its time needs
+
+}
+
+int storedSize()
+{
+    const int stored = QSettings().value(sizeKey, sizes.front()).toInt();
+    return std::find(sizes.begin(), sizes.end(), stored) == sizes.end() ? sizes.front() : stored;
+}
+
+bool hasRoomFor(int size, QSize screen)
+{
+    const QSize room = screen * 100 / size;
+    return size == sizes.front() ||
+           (room.width() >= leastRoom.width() && room.height() >= leastRoom.height());
+}
 
 SizeMenu::SizeMenu(QWidget *parent) : QMenu(tr("Si&ze of text and controls"), parent), m_current(storedSize())
 {
     setToolTipsVisible(true);
     auto *group = new QActionGroup(this);
-    for (const int size : sizes()) {
+    for (const int size : sizes) {
         QAction *entry = addAction(tr("%1\u2009%").arg(size));
         entry->setCheckable(true);
         entry->setChecked(size == m_current);
@@ -37,7 +60,7 @@ void SizeMenu::follow()
 
 void SizeMenu::choose(int size)
 {
-    storeSize(size);
+    QSettings().setValue(sizeKey, size);
     if (size == m_current)
         emit unchanged();
     else

@@ -64,30 +64,21 @@ QAccessibleInterface *makeGaugeAccess(const QString &, QObject *object)
     return gauge ? new GaugeAccess(gauge) : nullptr;
 }
 
-void installGaugeAccess()
-{
-    static const bool once = [] {
-        QAccessible::installFactory(makeGaugeAccess);
-        return true;
-    }();
-    Q_UNUSED(once);
-}
-
 }
 
 StabilityGauge::StabilityGauge(const StabilityMonitor &monitor, const Command &toggle, const Theme &theme,
                                QWidget *parent)
     : QAbstractButton(parent), m_monitor(monitor), m_keys(toggle.shortcut()), m_theme(theme)
 {
-    installGaugeAccess();
+    QAccessible::installFactory(makeGaugeAccess);
     setObjectName("gauge");
+    setCheckable(true);
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAttribute(Qt::WA_Hover);
     connect(&monitor, &StabilityMonitor::changed, this, &StabilityGauge::refresh);
     connect(&monitor.preview(), &StabilityPreview::changed, this, &StabilityGauge::refresh);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     refresh();
 }
 

@@ -5,9 +5,11 @@
 #include "app/model/text/phrases.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/dock/panel_title.h"
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/stability/growth_plot.h"
 #include "app/ui/stability/settling_plot.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -48,9 +50,7 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, SettlingMonitor &settl
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    auto *content = new QWidget;
-    content->setObjectName("panel");
-    content->setAttribute(Qt::WA_StyledBackground);
+    QWidget *content = makePage();
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(margin, 4, margin, 12);
     column->setSpacing(8);
@@ -63,12 +63,8 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, SettlingMonitor &settl
         withKeys(tr("Shows how many frames the run takes to come to rest, for each stiffness "
                     "and damping. Click again to close"),
                  settlingToggle.shortcut()));
-    m_area = new QScrollArea(this);
-    m_area->setWidgetResizable(true);
-    m_area->setFrameShape(QFrame::NoFrame);
-    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area = makeScrollArea(*this);
     m_area->setWidget(content);
-    m_area->setFocusPolicy(Qt::NoFocus);
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(0);
@@ -77,8 +73,6 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, SettlingMonitor &settl
     connect(&monitor, &StabilityMonitor::changed, this, &StabilityPanel::refresh);
     connect(&monitor, &StabilityMonitor::mapChanged, this, &StabilityPanel::refreshMap);
     connect(&settling, &SettlingMonitor::changed, this, &StabilityPanel::refreshSettling);
-    connect(&theme, &Theme::changed, this, &StabilityPanel::applyTheme);
-    applyTheme();
     refresh();
     refreshMap();
     refreshSettling();
@@ -86,17 +80,14 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, SettlingMonitor &settl
 
 QWidget *StabilityPanel::title(const Command &toggle)
 {
-    m_title = new PanelTitle(tr("Stability"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
+    m_title = new PanelTitle(tr("Stability"), m_theme, this);
     m_plotMenu = m_export->makeButton(m_title);
     m_title->addAction(m_plotMenu);
-    m_close = new QToolButton(m_title);
-    m_close->setObjectName("closeStability");
-    m_close->setFixedSize(28, 28);
-    m_close->setFocusPolicy(Qt::TabFocus);
-    m_close->setAccessibleName(tr("Close"));
-    m_close->setToolTip(withKeys(tr("Close, and show the previous panel"), toggle.shortcut()));
-    connect(m_close, &QToolButton::clicked, this, &StabilityPanel::closed);
-    m_title->addAction(m_close);
+    QToolButton *close = makeIconButton("closeStability", "close", m_theme, m_title);
+    close->setAccessibleName(tr("Close"));
+    close->setToolTip(withKeys(tr("Close, and show the previous panel"), toggle.shortcut()));
+    connect(close, &QToolButton::clicked, this, &StabilityPanel::closed);
+    m_title->addAction(close);
     return m_title;
 }
 
@@ -108,6 +99,7 @@ QWidget *StabilityPanel::card()
     layout->setContentsMargins(14, 10, 12, 10);
     m_verdict = new QLabel(card);
     m_verdict->setObjectName("verdict");
+    m_verdict->setFont(m_theme.ui(13));
     m_verdict->setTextFormat(Qt::RichText);
     m_verdict->setWordWrap(true);
     layout->addWidget(m_verdict);
@@ -189,12 +181,6 @@ void StabilityPanel::makeExport()
     });
     m_export->addContextMenu(*m_plot);
     m_export->addContextMenu(*m_settlingPlot);
-}
-
-void StabilityPanel::applyTheme()
-{
-    m_verdict->setFont(m_theme.ui(13));
-    m_close->setIcon(m_theme.icon("close"));
 }
 
 QString StabilityPanel::verdict() const

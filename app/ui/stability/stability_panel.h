@@ -63,7 +63,6 @@ private:
     QWidget *mapTabs();
     QToolButton *mapButton(const QString &text, const QString &tip, MapPlane plane);
     void makeExport();
-    void applyTheme();
     void refresh();
     void refreshRemedies(const std::vector<sim::Remedy> &remedies);
     QPushButton *remedyButton(const sim::Remedy &remedy);
@@ -76,7 +75,6 @@ private:
     SettlingMonitor &m_settling;
     const Theme &m_theme;
     PanelTitle *m_title = nullptr;
-    QToolButton *m_close = nullptr;
     QScrollArea *m_area = nullptr;
     QLabel *m_verdict = nullptr;
     QLabel *m_leftOut = nullptr;

@@ -42,7 +42,7 @@ enum class Scheme { light, dark, highContrast };
 /// The state of a row or button that has a highlighted background.
 enum class Surface { hovered, chosen };
 
-/// Fonts, colours and icons of the program. Widgets keep a reference and repaint on changed().
+/// Fonts, colours and icons of the program. Widgets keep a reference.
 class Theme : public QObject
 {
     Q_OBJECT
@@ -73,6 +73,8 @@ public:
     void apply(QApplication &application) const;
 
 signals:
+    /// The scheme has changed. `Appearance` applies the theme then, so all widgets are painted anew; only what a widget has
+    /// stored of the theme has to follow.
     void changed();
 
 private:

@@ -49,7 +49,6 @@ FootfallStrip::FootfallStrip(const OpenRun &run, Playback &playback, Preview &pr
     run.onChange(ChangeKind::cursor | ChangeKind::preview, this, qOverload<>(&QWidget::update));
     run.onChange(ChangeKind::cursor, this, &FootfallStrip::addFeet);
     run.onChange(ChangeKind::cursor, this, &FootfallStrip::updateDescription);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     open();
 }
 
@@ -145,7 +144,7 @@ void FootfallStrip::paintFoot(QPainter &painter, std::size_t foot, double top,
     for (const Stance &stance : m_stances.of(foot)) {
         // A sample belongs to the end of its output step. This shift also makes a stance of one sample
         // visible.
-        const double from = axis.xOf(stance.from - m_series.rowFrames() / 2);
+        const double from = axis.xOf(stance.from - m_series.framesPerOutput() / 2);
         const double to = std::max(axis.xOf(stance.to), from + leastWidth);
         if (to - painted < leastSeen)
             continue; // in long runs, thousands of stances share a pixel

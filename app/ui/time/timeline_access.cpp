@@ -33,7 +33,7 @@ public:
     void setCurrentValue(const QVariant &value) override { m_timeline->scrubTo(value.toLongLong()); }
     QVariant minimumValue() const override { return number(0); }
     QVariant maximumValue() const override { return number(m_timeline->axis().frames()); }
-    QVariant minimumStepSize() const override { return number(m_timeline->rowFrames()); }
+    QVariant minimumStepSize() const override { return number(m_timeline->framesPerOutput()); }
 
 private:
     static QVariant number(std::int64_t frame) { return QVariant::fromValue<qlonglong>(frame); }
@@ -51,11 +51,7 @@ QAccessibleInterface *makeAccess(const QString &, QObject *object)
 
 void installTimelineAccess()
 {
-    static const bool once = [] {
-        QAccessible::installFactory(makeAccess);
-        return true;
-    }();
-    Q_UNUSED(once);
+    QAccessible::installFactory(makeAccess);
 }
 
 }

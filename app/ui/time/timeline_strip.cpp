@@ -36,8 +36,7 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     session.onChange(everyChange, this, &TimelineStrip::follow);
-    connect(&theme, &Theme::changed, this, &TimelineStrip::refresh);
-    startNew();
+    refresh();
 }
 
 QSize TimelineStrip::sizeHint() const
@@ -73,12 +72,6 @@ QString TimelineStrip::sentence() const
     return m_session.preview().isActive()
                ? tr("%1. Preview: %2").arg(current, sentenceOf(m_session.preview().run()))
                : current;
-}
-
-void TimelineStrip::startNew()
-{
-    m_axis.reset();
-    refresh();
 }
 
 bool TimelineStrip::coverRun()
@@ -137,8 +130,8 @@ std::shared_ptr<const sim::ComposedInterval> TimelineStrip::phasesShown() const
 void TimelineStrip::follow(const Change &change)
 {
     if (change.isAny(ChangeKind::step))
-        startNew();
-    else if (change.isAny(ChangeKind::run | ChangeKind::playing | ChangeKind::code))
+        m_axis.reset();
+    if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::playing | ChangeKind::code))
         refresh();
     if (change.isAny(ChangeKind::cursor))
         followCursor();

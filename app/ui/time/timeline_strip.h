@@ -36,7 +36,7 @@ public:
     /// Returns "Frame 41, after gravity, 2 of 5 phases done".
     QString sentence() const;
     std::int64_t frame() const { return m_session.timeline().cursor().frame; }
-    int rowFrames() const { return m_session.timeline().track().framesPerOutput(); }
+    int framesPerOutput() const { return m_session.timeline().track().framesPerOutput(); }
     /// Pauses and goes to a frame.
     void scrubTo(std::int64_t frame);
     /// Returns a description of what is at a place, and what a click does; empty if nothing is there.
@@ -66,7 +66,6 @@ protected:
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    void startNew();
     /// Reads everything from the session again.
     void refresh();
     void follow(const Change &change);

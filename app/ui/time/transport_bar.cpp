@@ -17,10 +17,6 @@ namespace app {
 
 namespace {
 
-/// While playing, numbers change at most ten times a second, because faster changes cannot be read. It is a little less
-/// than 100 ms, so that every third frame is shown although the timer is not exact.
-constexpr qint64 leastMilliseconds = 90;
-
 /// A button that becomes narrower if space is short.
 class TransportButton : public QToolButton
 {
@@ -62,10 +58,6 @@ TransportBar::TransportBar(Session &session, const RunCommands &commands, const 
     connect(m_frame, &FrameCounter::resized, this, &TransportBar::fit);
     connect(m_speed, &SpeedButton::chosen, &session.playback(), &Playback::setSpeed);
     session.onChange(everyChange, this, &TransportBar::follow);
-    connect(&theme, &Theme::changed, this, [this] {
-        refresh();
-        update();
-    });
     refresh();
 }
 
@@ -141,15 +133,14 @@ void TransportBar::follow(const Change &change)
 
 void TransportBar::followCursor()
 {
-    if (!m_session.playback().isPlaying() || !m_sinceFrame.isValid() ||
-        m_sinceFrame.elapsed() >= leastMilliseconds)
+    if (m_pace.isDue())
         showFrame();
     followCancel();
 }
 
 void TransportBar::showFrame()
 {
-    m_sinceFrame.start();
+    m_pace.restart();
     const Position position = positionOf(m_session.timeline());
     QString detail = progressOf(position);
     QString brief = shortProgressOf(position);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/model/session/session.h"
+#include "app/ui/dock/number_pace.h"
 #include "app/ui/theme/theme.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 class QBoxLayout;
@@ -78,7 +78,7 @@ private:
     QWidget *m_middle = nullptr; ///< see insertMiddle()
     SpeedButton *m_speed = nullptr;
     QShortcut *m_cancel; ///< Escape, while the session goes to a far frame or computes a run again
-    QElapsedTimer m_sinceFrame;
+    NumberPace m_pace{m_session.playback()};
 };
 
 }

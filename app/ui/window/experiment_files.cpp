@@ -35,6 +35,8 @@ QString fileOf(const QMimeData *data)
 ExperimentFiles::ExperimentFiles(Session &session, Notice &notice, QWidget &window)
     : m_session(session), m_notice(notice), m_window(window), m_document(session)
 {
+    window.setAcceptDrops(true);
+    window.installEventFilter(this);
     connect(&m_document, &Document::stateChanged, this, &ExperimentFiles::showTitle);
     m_session.onChange(ChangeKind::step | ChangeKind::texts, this, &ExperimentFiles::showTitle);
     showTitle();
@@ -183,6 +185,13 @@ void ExperimentFiles::pasteText()
     std::optional<Experiment> pasted;
     if (opens([&] { pasted = experimentFromLine(text, m_session.library()); }))
         unlessLost([this, pasted] { opens([&] { m_document.open(*pasted); }); });
+}
+
+bool ExperimentFiles::eventFilter(QObject *, QEvent *event)
+{
+    const QEvent::Type type = event->type();
+    return (type == QEvent::DragEnter || type == QEvent::DragMove || type == QEvent::Drop) &&
+           takesDrop(static_cast<QDropEvent &>(*event));
 }
 
 bool ExperimentFiles::takesDrop(QDropEvent &event)

@@ -43,9 +43,6 @@ public:
     void fillRecent(QMenu &menu);
     void copyAsText();
     void pasteText();
-    /// Accepts a file that is dragged over the window, and opens it when it is dropped. Returns false if the event is
-    /// about something else.
-    bool takesDrop(QDropEvent &event);
 
     /// Asks about files with unsaved changes. Returns whether the window may close.
     bool mayClose();
@@ -54,12 +51,17 @@ public:
     /// Runs `action`, which opens something. Returns whether that succeeded; an error is shown.
     bool opens(const std::function<void()> &action);
 
+    bool eventFilter(QObject *window, QEvent *event) override;
+
 signals:
     /// A lesson without C++ was chosen: a folder or a file.
     void lessonChosen(const QString &path);
 
 private:
     void showTitle();
+    /// Accepts a file that is dragged over the window, and opens it when it is dropped. Returns false if the event is
+    /// about something else.
+    bool takesDrop(QDropEvent &event);
     /// Opens a file, but asks first if unsaved changes would be lost. A lesson takes nothing away.
     void openOrAsk(const QString &path);
     void openRecent(const QString &path);

@@ -43,7 +43,6 @@ FailureNotice::FailureNotice(const OpenRun &run, RunEditor &editor, const Theme 
     column->addWidget(m_hint);
     column->addWidget(m_buttons);
     connect(&m_search, &RemedySearch::changed, this, &FailureNotice::refresh);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     picture->installEventFilter(this);
     refresh();
 }

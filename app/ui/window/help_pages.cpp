@@ -3,6 +3,7 @@
 #include "app/model/session/session.h"
 #include "app/ui/actions/command_list.h"
 #include "app/ui/actions/gestures.h"
+#include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/help/about_page.h"
 #include "app/ui/help/help_page.h"
 #include "app/ui/learn/words/glossary_page.h"
@@ -20,15 +21,13 @@ void HelpPages::showKeys()
 {
     if (!m_keys) {
         m_keys = new HelpPage(m_theme, &m_window);
-        for (const KeyGroup group : allKeyGroups)
-            m_keys->addGroup(titleOf(group));
+        for (const QString &title : groupTitles())
+            m_keys->addGroup(title);
         for (const CommandList::Entry &entry : m_commands.entries())
             m_keys->addAction(titleOf(entry.group), entry.command);
         addGestures(*m_keys);
     }
-    m_keys->show();
-    m_keys->raise();
-    m_keys->activateWindow();
+    showInFront(*m_keys);
 }
 
 void HelpPages::showGlossary(const QString &typed)
@@ -51,7 +50,7 @@ void HelpPages::showMap()
 void HelpPages::showAbout()
 {
     if (!m_about)
-        m_about = new AboutPage(m_theme, &m_window);
+        m_about = new AboutPage(&m_window);
     m_about->open();
 }
 

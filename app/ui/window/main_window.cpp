@@ -12,7 +12,7 @@
 #include "app/ui/dialogs/recovery_prompt.h"
 #include "app/ui/dock/arrange_menu.h"
 #include "app/ui/dock/dock_fitter.h"
-#include "app/ui/dock/dock_title.h"
+#include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/rail_choice.h"
 #include "app/ui/dock/stability_dock.h"
 #include "app/ui/dock/window_layouts.h"
@@ -89,7 +89,6 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    setAcceptDrops(true);
     setCentralWidget(m_centre);
     m_centre->bar().attach(m_centre->scene(), *m_commands.view.fit);
     m_centre->scene().attach(*m_study);
@@ -171,7 +170,7 @@ void MainWindow::makeCode()
 {
     QDockWidget &dock = m_layout.docks[Panel::code];
     m_code = new CodePages(m_session, m_theme, &dock);
-    auto *title = new DockTitle(tr("Code"), m_theme, &dock);
+    auto *title = new PanelTitle(tr("Code"), m_theme, &dock);
     title->setCaption(m_code->caption());
     title->addTabs(m_code->titleTabs());
     title->addAction(m_code->titleActions());
@@ -219,19 +218,14 @@ void MainWindow::connectPanels()
 
 void MainWindow::makeLayouts()
 {
-    const auto fitHeights = [this] { m_sizes.fitHeights(); };
     m_rail = std::make_unique<RailChoice>(m_layout, *m_learn, m_session.run(), m_sizes,
                                           *m_commands.view.lessonRail);
     m_fitter = std::make_unique<DockFitter>(m_layout, *m_learn, m_centre->scene());
     m_stabilityDock = std::make_unique<StabilityDock>(m_layout, m_sizes);
     m_layouts = std::make_unique<WindowLayouts>(m_layout, *m_fitter, m_sizes, m_plotsDock, *m_rail);
-    connect(m_plots, &PlotsPanel::wantedHeightChanged, this, fitHeights);
-    connect(m_numbers, &NumbersPanel::wantedHeightChanged, this, fitHeights);
-    connect(m_fitter.get(), &DockFitter::sidesChanged, this, [this] {
-        m_sizes.fitWidths();
-        m_sizes.fitHeights();
-    });
-    m_gauge->setCheckable(true);
+    connect(m_plots, &PlotsPanel::wantedHeightChanged, &m_sizes, &PanelSizes::fitHeights);
+    connect(m_numbers, &NumbersPanel::wantedHeightChanged, &m_sizes, &PanelSizes::fitHeights);
+    connect(m_fitter.get(), &DockFitter::sidesChanged, &m_sizes, &PanelSizes::fit);
     Docks &docks = m_layout.docks;
     docks.setShowFunction(Panel::plots, [this](bool isShown) {
         m_plotsDock.show(isShown);
@@ -401,7 +395,7 @@ void MainWindow::makeMenus()
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { m_files->fillRecent(*recent); });
     const ViewCommands &view = m_commands.view;
     auto *arrange = new ArrangeMenu(*this, *view.unlockPanels, *view.resetPanels, m_theme);
-    connect(arrange, &ArrangeMenu::moved, this, [this] { m_sizes.fitHeights(); });
+    connect(arrange, &ArrangeMenu::moved, &m_sizes, &PanelSizes::fitHeights);
     auto *language = new LanguageMenu(this);
     auto *size = new SizeMenu(this);
     const auto dismiss = [this] { m_centre->notice().showMessage({}); };
@@ -483,46 +477,11 @@ void MainWindow::offerYourLessons(YourLessons &lessons)
     m_lessons->setLessons(lessons);
 }
 
-bool MainWindow::event(QEvent *event)
+void MainWindow::changeEvent(QEvent *event)
 {
-    switch (event->type()) {
-    case QEvent::DragEnter:
-    case QEvent::DragMove:
-    case QEvent::Drop:
-        return m_files->takesDrop(static_cast<QDropEvent &>(*event)) || QMainWindow::event(event);
-    case QEvent::MouseButtonPress:
-        m_sizes.notePress(static_cast<QMouseEvent &>(*event));
-        break;
-    default:
-        break;
-    }
-    const bool isDone = QMainWindow::event(event);
-    if (event->type() == QEvent::LayoutRequest && isVisible())
-        m_fitter->share(); // a panel may want more than before
-    else if (event->type() == QEvent::MouseButtonRelease)
-        m_sizes.storeDragged();
-    else if (event->type() == QEvent::WindowStateChange)
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange)
         m_commands.view.fullScreen->setChecked(isFullScreen());
-    return isDone;
-}
-
-void MainWindow::showEvent(QShowEvent *event)
-{
-    QMainWindow::showEvent(event);
-    m_sizes.fitWidths();
-    m_sizes.fitHeights();
-}
-
-void MainWindow::resizeEvent(QResizeEvent *event)
-{
-    QMainWindow::resizeEvent(event);
-    if (isVisible())
-        m_fitter->share();
-    if (!event->oldSize().isValid() || hasRoomForPlots(event->oldSize()) != hasRoomForPlots(event->size()))
-        m_plotsDock.arrange();
-    // Panels that became smaller with the window get their sizes back.
-    m_sizes.fitWidths();
-    m_sizes.fitHeights();
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -45,6 +45,8 @@ SceneCard::SceneCard(const OpenRun &run, const Progress &progress, const Command
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
     }
+    m_title->setFont(theme.ui(15, QFont::DemiBold));
+    m_text->setFont(theme.ui(13));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 10, 16, 12);
     column->setSpacing(4);
@@ -53,18 +55,8 @@ SceneCard::SceneCard(const OpenRun &run, const Progress &progress, const Command
     run.onChange(ChangeKind::step | ChangeKind::texts, this, &SceneCard::refresh);
     run.onChange(ChangeKind::cursor, this, &SceneCard::place);
     connect(&progress, &Progress::changed, this, &SceneCard::refresh);
-    connect(&theme, &Theme::changed, this, &SceneCard::applyTheme);
     scene.installEventFilter(this);
-    applyTheme();
     refresh();
-}
-
-void SceneCard::applyTheme()
-{
-    m_title->setFont(m_theme.ui(15, QFont::DemiBold));
-    m_text->setFont(m_theme.ui(13));
-    place();
-    update();
 }
 
 QString SceneCard::sentence() const

@@ -33,7 +33,6 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    void applyTheme();
     void refresh();
     void place();
 

@@ -91,6 +91,13 @@ bool isOneLine(const QString &text)
     return text.endsWith(".\n") && text.count('\n') == 1;
 }
 
+void checkRefusal(const Answer &answer)
+{
+    QVERIFY2(isOneLine(answer.err), qPrintable(answer.err));
+    QCOMPARE(answer.out, QString());
+    QCOMPARE(answer.code, 2);
+}
+
 QString fileWith(const QString &folder, const QString &fields)
 {
     const QString path = folder + "/experiment.json";

@@ -32,5 +32,7 @@ void compareTrajectories(const QString &trace, const QString &expected);
 bool interrupt(QProcess &process);
 /// Whether `text` is one sentence.
 bool isOneLine(const QString &text);
+/// Fails unless the program refused its arguments: one sentence on standard error, nothing else, and exit code 2.
+void checkRefusal(const Answer &answer);
 
 }

@@ -145,8 +145,7 @@ private slots:
         QFETCH(QString, sentence);
         const Answer answer = springstep(arguments);
         QCOMPARE(answer.err, sentence + '\n');
-        QCOMPARE(answer.out, QString());
-        QCOMPARE(answer.code, 2);
+        checkRefusal(answer);
     }
 
     void jsonHasTheDocumentedShape()
@@ -234,10 +233,14 @@ private slots:
         const QJsonObject all = json(springstep(arguments + QStringList{"--json"}));
         QCOMPARE(all["reference"]["method"].toString(), "own_refinement");
         QVERIFY(!all["reference"].toObject().value("no_limit").toString().isEmpty());
+        int unfit = 0;
         for (const QJsonValue &row : all["rows"].toArray()) {
-            if (row["status"].toString() == "does_not_fit")
-                QVERIFY(row["reason"].toString().endsWith('.') && row["error"].isNull());
+            if (row["status"].toString() != "does_not_fit")
+                continue;
+            ++unfit;
+            QVERIFY(row["reason"].toString().endsWith('.') && row["error"].isNull());
         }
+        QVERIFY(unfit > 0);
     }
 
     void theSvgShowsEveryMethodThatWasMeasured()

@@ -209,12 +209,16 @@ private slots:
         shown.clickMargin(falls);
         shown.type("frame == 4");
         QCoreApplication::processEvents();
+        int seen = 0;
         for (QWidget *widget : shown.panel->stops().findChildren<QWidget *>()) {
             if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(shown.panel))
                 continue;
+            ++seen;
             QVERIFY2(!widget->accessibleName().isEmpty(), widget->metaObject()->className());
             QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->accessibleName()));
         }
+        QVERIFY2(seen >= 3,
+                 qPrintable(QString::number(seen))); // the switch, the condition, the button that deletes
     }
 };
 

@@ -35,8 +35,6 @@ class TestCodeListing : public QObject
     Q_OBJECT
 
 private slots:
-    void thereAreLessons() { QVERIFY(library().lessons.size() >= 4); }
-
     void everyPhaseHasOneSectionWithLines_data() { everyStepAndMethod(); }
     void everyPhaseHasOneSectionWithLines()
     {

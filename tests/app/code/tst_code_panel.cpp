@@ -337,7 +337,9 @@ private slots:
     {
         CodeFixture shown;
         QCOMPARE(shown.view().accessibleName(), QString("Code that runs"));
-        for (const QToolButton *button : shown.panel->titleActions()->findChildren<QToolButton *>()) {
+        const auto buttons = shown.panel->titleActions()->findChildren<QToolButton *>();
+        QVERIFY(!buttons.isEmpty());
+        for (const QToolButton *button : buttons) {
             QVERIFY(!button->accessibleName().isEmpty());
             QVERIFY(!button->toolTip().isEmpty());
         }

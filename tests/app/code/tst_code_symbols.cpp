@@ -124,10 +124,14 @@ private slots:
         const lessons::Step &step = stepOf("codeling", "motor");
         const sim::Timeline run = runOf(step);
         const CodeListing listing = listingOf(step, run);
+        int spots = 0;
         for (const ParameterSpot &spot : spotsOf(step, run)) {
-            if (spot.word.parameter == "keep")
-                QVERIFY(listing.sections[spot.section].role == CodeSection::Role::scene);
+            if (spot.word.parameter != "keep")
+                continue;
+            ++spots;
+            QVERIFY(listing.sections[spot.section].role == CodeSection::Role::scene);
         }
+        QVERIFY(spots > 0);
         const auto keep = symbolOf(step, run, "v = keep * v", "keep");
         QVERIFY(keep && keep->parameter.isEmpty() && keep->phase >= 0);
     }

@@ -18,6 +18,16 @@ QString methods()
     return app::quotedList(ids);
 }
 
+/// The ids of all lessons, as messages list them.
+QString lessonIds()
+{
+    QStringList ids;
+    for (const app::LessonEntry &lesson : allLessons().lessons)
+        ids.push_back(lesson.id);
+    ids.push_back("sandbox");
+    return app::quotedList(ids);
+}
+
 }
 
 /// Every way in which an experiment file can be wrong is one sentence with the line and the remedy.
@@ -120,9 +130,7 @@ private slots:
             QTest::newRow(name) << text << sentence;
         };
         const QByteArray format = "\"format\": \"springstep-experiment/1\"";
-        const QString lessons =
-            "\"single_spring\", \"two_body\", \"multi_foot\", \"gravity_walls\", \"walking_gait\", "
-            "\"swaying_tree\", \"rigid_constraint\", \"codeling\", \"accuracy\", \"hard_cases\", \"sandbox\"";
+        const QString lessons = lessonIds();
         row("nothing in it", "{}",
             "line 1: the file has no \"format\"; add it. It must be \"springstep-experiment/1\".");
         row("another format", "{\"format\": \"drawing\"}",

@@ -2,6 +2,7 @@
 // is. SPRINGSTEP_RANDOM_SEED and SPRINGSTEP_RANDOM_COUNT in the environment choose others.
 
 #include "tests/app/support/window_fixture.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -12,12 +13,6 @@ using namespace app;
 using namespace tests;
 
 namespace {
-
-quint32 spoilerSetting(const char *name, quint32 preset)
-{
-    const QByteArray given = qgetenv(name);
-    return given.isEmpty() ? preset : given.toUInt();
-}
 
 /// Good experiments, spoiled.
 class Spoiler
@@ -120,7 +115,7 @@ std::vector<QByteArray> textsWithBranches()
     for (const char *step : {"two_feet", "any_number"}) {
         WindowFixture fixture({"multi_foot", step});
         for (const std::int64_t frame : {0, 20}) {
-            fixture.session.playback().goTo({60, 0});
+            fixture.goTo(60);
             fixture.session.playback().goTo({frame, 0});
             fixture.drag(frame == 0 ? "foot1" : "foot0", {30, 10});
             fixture.session.editor().setParameter("k", 0.3 + 0.01 * double(frame));
@@ -155,8 +150,8 @@ private:
 
 void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
 {
-    const quint32 seed = spoilerSetting("SPRINGSTEP_RANDOM_SEED", 1);
-    const quint32 count = spoilerSetting("SPRINGSTEP_RANDOM_COUNT", 500);
+    const quint32 seed = setting("SPRINGSTEP_RANDOM_SEED", 1u);
+    const quint32 count = setting("SPRINGSTEP_RANDOM_COUNT", 500u);
     const std::vector<QByteArray> made = textsWithBranches();
     QVERIFY(made.front().contains("\"branches\"") && made.back().contains("\"fork\""));
     Spoiler spoiler(seed, made);
@@ -164,7 +159,7 @@ void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
     WindowFixture fixture({"multi_foot", "two_feet"});
     fixture.session.editor().setParameter("k", 0.31);
     fixture.drag("foot0", {40, 10});
-    fixture.session.playback().goTo({40, 0});
+    fixture.goTo(40);
     const Experiment mine = fixture.session.experiment();
     const QByteArray before = textOf(fixture);
     const sim::State now = fixture.session.timeline().state();
@@ -181,9 +176,9 @@ void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
             "seed " + QByteArray::number(seed) + ", number " + QByteArray::number(i) + ": " + said.toUtf8();
         if (said.isEmpty()) {
             QVERIFY2(fixture.window.windowTitle().contains("spoiled.json"), what);
-            fixture.session.playback().goTo({3, 0});
+            fixture.goTo(3);
             fixture.session.open(mine);
-            fixture.session.playback().goTo({40, 0});
+            fixture.goTo(40);
             QCOMPARE(textOf(fixture), before);
             continue;
         }

@@ -6,6 +6,7 @@
 //   SPRINGSTEP_RANDOM_ONLY   the number of a single one
 
 #include "tests/app/experiment/random_trial.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -18,12 +19,6 @@ namespace {
 
 constexpr std::uint64_t inARow = 250;
 
-std::uint64_t setting(const char *name, std::uint64_t preset)
-{
-    const QByteArray given = qgetenv(name);
-    return given.isEmpty() ? preset : given.toULongLong();
-}
-
 }
 
 class TestRandomExperiments : public QObject
@@ -32,9 +27,10 @@ class TestRandomExperiments : public QObject
 
     const app::LessonLibrary m_library = app::LessonLibrary::load({LESSON_DIR});
     const Experiments m_experiments{m_library};
-    const std::uint64_t m_seed = setting("SPRINGSTEP_RANDOM_SEED", 1);
-    const std::uint64_t m_count = setting("SPRINGSTEP_RANDOM_COUNT", RANDOM_EXPERIMENTS);
-    const std::uint64_t m_first = setting("SPRINGSTEP_RANDOM_FIRST", 1);
+    const std::uint64_t m_seed = tests::setting<std::uint64_t>("SPRINGSTEP_RANDOM_SEED", 1);
+    const std::uint64_t m_count =
+        tests::setting<std::uint64_t>("SPRINGSTEP_RANDOM_COUNT", RANDOM_EXPERIMENTS);
+    const std::uint64_t m_first = tests::setting<std::uint64_t>("SPRINGSTEP_RANDOM_FIRST", 1);
     std::map<Outcome::End, std::uint64_t> m_ends;
     std::map<QString, std::uint64_t> m_lessons;
     std::map<QString, std::uint64_t> m_methods;
@@ -62,7 +58,7 @@ private slots:
     {
         QTest::addColumn<std::uint64_t>("first");
         QTest::addColumn<std::uint64_t>("end");
-        if (const std::uint64_t only = setting("SPRINGSTEP_RANDOM_ONLY", 0)) {
+        if (const std::uint64_t only = tests::setting<std::uint64_t>("SPRINGSTEP_RANDOM_ONLY", 0)) {
             QTest::addRow("number %llu", static_cast<unsigned long long>(only)) << only << only + 1;
             return;
         }

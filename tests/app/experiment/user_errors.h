@@ -7,12 +7,17 @@
 /// What suites that read bad experiments share.
 namespace user_errors {
 
+inline const app::LessonLibrary &allLessons()
+{
+    static const app::LessonLibrary library = app::LessonLibrary::load({LESSON_DIR});
+    return library;
+}
+
 /// What reading `text` as a file x.json is refused with; empty when it is accepted.
 inline QString errorOf(const QByteArray &text)
 {
-    static const app::LessonLibrary library = app::LessonLibrary::load({LESSON_DIR});
     try {
-        app::parseExperiment(text, "x.json", library);
+        app::parseExperiment(text, "x.json", allLessons());
         return {};
     } catch (const app::UserError &error) {
         return error.sentence();

@@ -81,7 +81,7 @@ void ExportTest::theDialogMakesAFilmWhileTheWindowGoesOn()
 {
     WindowFixture fixture({"multi_foot", "two_feet"});
     fixture.drag("foot0", {30, 10});
-    fixture.session.playback().goTo({40, 0});
+    fixture.goTo(40);
     FilmDialog &dialog = openDialog(fixture);
     QVERIFY(dialog.isVisible() && !dialog.isModal());
     const QString path = m_folder.filePath("dialog.gif");
@@ -175,7 +175,7 @@ void ExportTest::theLineOfTheCodeThatEndsAFilmIsNamed()
 void ExportTest::aFilmThatIsStoppedLeavesNoFile()
 {
     WindowFixture fixture({"multi_foot", "two_feet"});
-    fixture.session.playback().goTo({300, 0});
+    fixture.goTo(300);
     FilmDialog &dialog = openDialog(fixture);
     const QString path = m_folder.filePath("stopped.gif");
     fileOf(dialog).setText(path);
@@ -278,7 +278,7 @@ void ExportTest::theSvgLooksAsThePictureDoes()
     QFETCH(QByteArray, lesson);
     QFETCH(QByteArray, step);
     WindowFixture fixture({lesson, step});
-    fixture.session.playback().goTo({20, 0});
+    fixture.goTo(20);
     const QString path = m_folder.filePath("scene.svg");
     QVERIFY(fixture.window.savePictureAs(path));
     QSvgRenderer svg(path);

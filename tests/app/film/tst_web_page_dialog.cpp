@@ -55,7 +55,7 @@ private:
 void WebPageDialogTest::aPageIsMadeWhileTheWindowGoesOn()
 {
     WindowFixture fixture({"walking_gait", "ground"});
-    fixture.session.playback().goTo({40, 0});
+    fixture.goTo(40);
     WebPageDialog &dialog = openDialog(fixture);
     QVERIFY(dialog.isVisible() && !dialog.isModal());
     QCOMPARE(dialog.findChildren<QSpinBox *>().last()->value(), 40);
@@ -75,7 +75,7 @@ void WebPageDialogTest::aPageIsMadeWhileTheWindowGoesOn()
 void WebPageDialogTest::thePageShowsWhatTheWindowShows()
 {
     WindowFixture fixture({"walking_gait", "ground"});
-    fixture.session.playback().goTo({20, 0});
+    fixture.goTo(20);
     const QJsonObject plain = made(openDialog(fixture), "plain.html");
     QCOMPARE(plain["shows"]["velocities"], QJsonValue(false));
     QCOMPARE(plain["shows"]["trails"], QJsonValue(true));
@@ -86,10 +86,10 @@ void WebPageDialogTest::thePageShowsWhatTheWindowShows()
     extras.velocities = extras.onion = true;
     extras.trails = extras.unitCircle = extras.grid = false;
     fixture.view.setExtras(extras);
-    fixture.session.playback().goTo({10, 0});
+    fixture.goTo(10);
     fixture.session.editor().setParameter("damp", 0.5);
     fixture.session.editor().endGesture();
-    fixture.session.playback().goTo({20, 0});
+    fixture.goTo(20);
     QVERIFY(fixture.session.comparisons().shown());
     const QJsonObject more = made(openDialog(fixture), "more.html");
     for (const char *name : {"velocities", "onion", "ghost", "guides", "eyes"})

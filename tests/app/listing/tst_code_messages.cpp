@@ -94,7 +94,25 @@ private slots:
                                  "if (k > 1) {",
                                  "double a[9];",
                                  "} k = 2; {",
-                                 "} frame() {"})
+                                 "} frame() {",
+
+                                 "Body.velocity = hand;",
+                                 "hand += 1;",
+                                 "hand++;",
+                                 "feet[0][1].velocity = hand;",
+                                 "bool b = 1;",
+                                 "double a = 2(k);",
+                                 "break;",
+                                 "body.velocity;",
+                                 "for (int i = 0; i < 2; i++);",
+                                 "double 2nd = 2;",
+                                 "double ä = 2;",
+                                 "double a = 1 / feet.count;",
+                                 "k =- 2;",
+                                 "body.held();",
+                                 "void stop() { }",
+                                 "/* k",
+                                 "k = 2; else k = 3;"})
             QTest::newRow(code) << QString(code);
     }
     void mistakesAreToldInGerman()

@@ -8,6 +8,7 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
+#include "tests/app/support/two_lessons.h"
 
 /// What the suites of the plots share: one lesson whose steps have closed forms.
 namespace plots_support {
@@ -53,15 +54,8 @@ inline app::LessonLibrary library()
         scenes::add<sim::Damping>(scene, 0.95);
         return scene;
     };
-    lessons::Step puppet = pair;
-    puppet.id = puppet.title = "puppet";
-    puppet.method = "semi_implicit_euler";
-    puppet.scene = [build = pair.scene](const sim::Values &values) {
-        sim::Scene scene = build(values);
-        for (sim::Group &group : scene.groups)
-            group.motion = sim::Motion::prescribed;
-        return scene;
-    };
+    lessons::Step puppet = tests::puppetOf(pair);
+    puppet.title = puppet.id;
     app::LessonLibrary library;
     library.lessons.push_back(
         {"plots",

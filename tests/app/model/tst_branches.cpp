@@ -206,7 +206,7 @@ private slots:
         world.session.editor().undo();
         QCOMPARE(world.names(), before);
         QCOMPARE(world.session.comparisons().shown()->id, shown);
-        QVERIFY(world.session.timeline().comparison());
+        QTRY_VERIFY(world.session.timeline().comparison());
         world.session.editor().redo();
         QCOMPARE(world.names(), before.mid(0, 1));
         world.session.editor().undo();
@@ -290,7 +290,7 @@ private slots:
         QCOMPARE(world.names(), names);
         QVERIFY(!world.session.comparisons().shown());
         world.session.comparisons().show(world.newest());
-        QVERIFY(world.session.timeline().comparison());
+        QTRY_VERIFY(world.session.timeline().comparison());
     }
 
     void aSavedRunBringsItsBranchesBackBitForBit_data()

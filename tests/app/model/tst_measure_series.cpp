@@ -136,7 +136,7 @@ private slots:
         MeasuredRun fixture;
         fixture.session.editor().setStepSize(h);
         QVERIFY(fixture.goTo(99));
-        const std::int64_t row = fixture.series.rowFrames();
+        const std::int64_t row = fixture.series.framesPerOutput();
         QCOMPARE(row, std::int64_t(h > 1.0 ? h : 1.0));
         for (std::int64_t frame = 0; frame <= 99; frame += row) {
             const Sample *sample = fixture.series.at(frame);

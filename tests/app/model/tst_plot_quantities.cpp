@@ -28,7 +28,7 @@ std::vector<std::vector<double>> rowsOf(const sim::Script &script, const std::ve
     track.seek({frames, 0});
     RunSampler sampler(quantities, 0, track.framesPerOutput(), 1);
     while (sampler.samples().nextFrame() <= frames)
-        sampler.takeRow(track);
+        sampler.readNext(track);
     std::vector<std::vector<double>> rows;
     for (std::size_t i = 0; i < sampler.samples().size(); ++i) {
         rows.emplace_back();
@@ -67,7 +67,7 @@ class PlotQuantities : public QObject
 private slots:
     void aNameIsReadBack()
     {
-        for (const QuantityKind what : allMeasured()) {
+        for (const QuantityKind what : quantityKinds()) {
             Quantity quantity = of(what);
             if (aboutOf(what) == About::twoBodies)
                 quantity.other = "body";
@@ -218,7 +218,7 @@ private slots:
         QFETCH(QString, body);
         QFETCH(QString, words);
         const sim::Scene scene = sim::Track(scriptOf(qPrintable(step)), 0).interval().scene;
-        const Quantity quantity{*measuredFrom(what), body};
+        const Quantity quantity{*quantityKindFrom(what), body};
         const std::optional<NoValue> why = whyNot(quantity, scene);
         QVERIFY(why);
         const QString said = noValueWords(quantity, scene, *why);
@@ -230,15 +230,15 @@ private slots:
     void everyQuantityHasANameAUnitAndAnId()
     {
         QSet<QString> ids, titles;
-        for (const QuantityKind what : allMeasured()) {
-            QCOMPARE(measuredFrom(idOf(what)), what);
+        for (const QuantityKind what : quantityKinds()) {
+            QCOMPARE(quantityKindFrom(idOf(what)), what);
             ids << idOf(what);
-            titles << measuredTitle(what);
+            titles << kindTitle(what);
             QVERIFY(!unitOf(what, false).isEmpty());
-            QVERIFY(!measuredHelp(what).isEmpty());
+            QVERIFY(!kindHelp(what).isEmpty());
         }
-        QCOMPARE(std::size_t(ids.size()), allMeasured().size());
-        QCOMPARE(std::size_t(titles.size()), allMeasured().size());
+        QCOMPARE(std::size_t(ids.size()), quantityKinds().size());
+        QCOMPARE(std::size_t(titles.size()), quantityKinds().size());
     }
 
     void aTableHasEveryFrameWithAllDigits()

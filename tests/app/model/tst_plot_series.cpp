@@ -244,7 +244,7 @@ private slots:
     void aLongRunTakesNoMoreMemory()
     {
         PlottedRun fixture("swing");
-        fixture.series.setMostRows(PlotSeries::allRows);
+        fixture.series.setMostSteps(PlotSeries::allSteps);
         QVERIFY(fixture.isThere(60'000));
         const Samples &samples = fixture.series.run();
         QVERIFY(samples.size() <= std::size_t(PlotSeries::mostBuckets));

@@ -105,7 +105,7 @@ void PredictionsTest::undoBringsTheLearnersOwnRunBack()
 {
     PredictionFixture fixture("fixed_centre");
     fixture.session.editor().setParameter("k", 0.33);
-    fixture.session.playback().goTo({12, 0});
+    fixture.goTo(12);
     const sim::Script own = fixture.session.timeline().script();
     const int edits = fixture.session.editor().undoStack().count();
     QVERIFY(fixture.predict("past", {.number = 20.0}));

@@ -51,8 +51,7 @@ struct HandInFixture : WindowFixture
     }
     void open()
     {
-        window.activateWindow(); // a dialog that has closed does not do so without a window manager
-        QVERIFY(QTest::qWaitForWindowActive(&window));
+        activate();
         QTest::keyClick(&view, Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
         settle();
         QVERIFY(dialog().isVisible());

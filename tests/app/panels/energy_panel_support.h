@@ -18,16 +18,8 @@ using namespace tests;
 inline LessonLibrary withPuppet()
 {
     LessonLibrary library = twoLessons();
-    lessons::Step puppet = library.lessons.front().steps.front();
-    puppet.id = "puppet";
+    lessons::Step puppet = puppetOf(library.lessons.front().steps.front());
     puppet.tries.clear();
-    puppet.method = "semi_implicit_euler";
-    puppet.scene = [build = puppet.scene](const sim::Values &values) {
-        sim::Scene scene = build(values);
-        for (sim::Group &group : scene.groups)
-            group.motion = sim::Motion::prescribed;
-        return scene;
-    };
     library.lessons.front().steps.push_back(puppet);
     return library;
 }

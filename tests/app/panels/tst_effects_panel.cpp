@@ -3,6 +3,8 @@
 #include "tests/app/panels/effects_panel_support.h"
 #include "tests/suite.h"
 
+#include <algorithm>
+
 using namespace app;
 using namespace effects_support;
 using namespace effects_panel_support;
@@ -48,10 +50,12 @@ private slots:
             QVERIFY(whole >= 2);
         }
         fixture.panel.setStyleSheet("* { color: red; }"); // as when the colours change
-        for (const QLabel *label : fixture.panel.findChildren<QLabel *>()) {
-            if (label->text() == fixture.panel.remark())
-                QCOMPARE(label->mapTo(&fixture.panel, label->contentsRect().topLeft()).x(), 16);
-        }
+        const auto labels = fixture.panel.findChildren<QLabel *>();
+        const auto foot = std::find_if(labels.begin(), labels.end(), [&](const QLabel *label) {
+            return label->text() == fixture.panel.remark();
+        });
+        QVERIFY(foot != labels.end());
+        QCOMPARE((*foot)->mapTo(&fixture.panel, (*foot)->contentsRect().topLeft()).x(), 16);
     }
 
     void figuresAreRoundedToWhatCanBeRead_data()
@@ -184,14 +188,14 @@ private slots:
     {
         EffectsFixture fixture;
         fixture.clickSwitch("body_spring");
-        fixture.session.playback().goTo({50, 0});
+        fixture.goTo(50);
         QCOMPARE(fixture.run().state().positionOf(0), (sim::Vec2{300, 210}));
     }
 
     void undoBringsTheVeryBitsBack()
     {
         EffectsFixture fixture;
-        fixture.session.playback().goTo({40, 0});
+        fixture.goTo(40);
         const sim::State with = fixture.run().state();
         fixture.clickSwitch("body_spring");
         const sim::State without = fixture.run().state();

@@ -97,7 +97,7 @@ private slots:
     {
         GalleryFixture fixture;
         fixture.session.editor().setParameter("damp", 0.7);
-        fixture.session.playback().goTo({20, 0});
+        fixture.goTo(20);
         fixture.open();
         QTest::mouseClick(fixture.cards()[0], Qt::LeftButton);
         QVERIFY(!QApplication::activePopupWidget());

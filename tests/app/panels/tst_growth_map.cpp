@@ -151,8 +151,8 @@ void GrowthMapTest::aClickOnTheMapGoesThere()
     QFETCH(double, damp);
     QFETCH(double, h);
     StabilityFixture fixture;
-    fixture.session.playback().goTo({40, 0});
-    fixture.session.playback().goTo({20, 0}); // so that there is a run to become the ghost
+    fixture.goTo(40);
+    fixture.goTo(20); // so that there is a run to become the ghost
     GrowthPlot &plot = openMap(fixture, plane);
     const std::size_t tried = fixture.window.stability().tried().size();
     const QPoint there = plot.onScreen({1.0, damp, h}).toPoint();

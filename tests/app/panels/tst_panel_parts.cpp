@@ -1,7 +1,7 @@
 // The help page, dock titles, the focus ring and the height of texts.
 
 #include "app/ui/dock/button_flow.h"
-#include "app/ui/dock/dock_title.h"
+#include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/progress_line.h"
 #include "app/ui/help/help_page.h"
 #include "app/ui/help/key_caps.h"
@@ -25,6 +25,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <set>
 
 using namespace app;
@@ -139,7 +140,7 @@ void PanelPartsTest::escapeClosesTheHelpPage()
 void PanelPartsTest::aDockTitleIsAsHighAsItsDockExpects()
 {
     Theme theme(Scheme::light);
-    DockTitle title("Code", theme);
+    PanelTitle title("Code", theme);
     title.setCaption("values of foot 0");
     auto *button = new QToolButton;
     button->setFixedSize(28, 28);
@@ -219,13 +220,17 @@ void PanelPartsTest::noLineBreaksInsideAnIncrement()
     const QTextBlock block = text.document()->firstBlock();
     const auto first = static_cast<int>(block.text().indexOf('+'));
     const auto last = static_cast<int>(block.text().lastIndexOf('+'));
+    QVERIFY(first >= 0 && last > first);
+    int mostLines = 0;
     for (int width = 60; width <= 300; ++width) {
         text.document()->setTextWidth(width);
         const QTextLayout &lines = *block.layout();
         QVERIFY2(lines.lineForTextPosition(first).lineNumber() ==
                      lines.lineForTextPosition(last).lineNumber(),
                  qPrintable(QString("%1 px").arg(width)));
+        mostLines = std::max(mostLines, lines.lineCount());
     }
+    QVERIFY(mostLines > 2);
 }
 
 void PanelPartsTest::aCopiedIncrementIsPlainCode()

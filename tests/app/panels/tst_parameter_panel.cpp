@@ -38,7 +38,7 @@ void ParameterPanelTest::aChangeInThePastLeavesAGhostMark()
     const auto *slider = rowOf(fixture.panel, "damp")->findChild<ParameterSlider *>();
     for (int i = 0; i < 20; ++i)
         fixture.session.playback().frameForward();
-    fixture.session.playback().goTo({5, 0});
+    fixture.goTo(5);
     typeInto(*rowOf(fixture.panel, "damp")->findChild<NumberBox *>(), "0.5");
     QVERIFY(fixture.session.timeline().comparison());
     QCOMPARE(fixture.session.comparisons().comparisonName(), QString("before: damping 0.9"));
@@ -55,7 +55,7 @@ void ParameterPanelTest::theNameOfAGhostHasAllFiguresOfALargeNumber()
     fixture.session.editor().setParameter("k", 1e6);
     for (int i = 0; i < 5; ++i)
         fixture.session.playback().frameForward();
-    fixture.session.playback().goTo({2, 0});
+    fixture.goTo(2);
     fixture.session.editor().setParameter("k", 0.2);
     QCOMPARE(fixture.session.comparisons().comparisonName(), QString("before: stiffness 1000000"));
 }
@@ -75,7 +75,7 @@ void ParameterPanelTest::theRowsFollowValuesThatChangeInTime()
     fixture.session.playback().goTo({});
     QCOMPARE(box->text(), QString("0.20"));
     QCOMPARE(slider->value(), 20);
-    fixture.session.playback().goTo({3, 0});
+    fixture.goTo(3);
     QCOMPARE(box->text(), QString("0.60"));
     QCOMPARE(slider->value(), 60);
     QCOMPARE(changes, 0); // the panel edits nothing

@@ -462,7 +462,7 @@ void PredictionBoxTest::aChoiceIsKeptAndJudgedWhenTheThingIsDone()
     QCOMPARE(note.found, QString("2"));
     QVERIFY(!note.isRight);
     QVERIFY(!fixture.saidText().isVisible()); // nothing is given away yet
-    fixture.session.playback().goTo({6, 0});
+    fixture.goTo(6);
     QTRY_VERIFY(fixture.saidText().isVisible());
     QCOMPARE(fixture.saidText().toPlainText(), QString("You said: It goes away. ✗"));
     QVERIFY(!fixture.row(1).isVisible() && !fixture.title().isVisible());
@@ -475,7 +475,7 @@ void PredictionBoxTest::aChoiceReturnsAfterARestart()
     ChoiceFixture fixture;
     QCOMPARE(fixture.title().text(), QString("You said: It comes nearer."));
     QVERIFY(fixture.row(2).isChecked());
-    fixture.session.playback().goTo({6, 0});
+    fixture.goTo(6);
     QTRY_VERIFY(fixture.saidText().isVisible());
     QCOMPARE(fixture.saidText().toPlainText(), QString("You said: It comes nearer. ✓"));
 }

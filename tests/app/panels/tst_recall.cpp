@@ -295,7 +295,9 @@ void RecallTest::everyControlHasANameAndATip()
     fixture.box().showQuestion(1);
     QTest::mouseClick(&fixture.part<QPushButton>("doIt"), Qt::LeftButton);
     const auto check = [](const QWidget &in) {
-        for (const QAbstractButton *one : in.findChildren<QAbstractButton *>()) {
+        const auto buttons = in.findChildren<QAbstractButton *>();
+        QVERIFY(!buttons.isEmpty());
+        for (const QAbstractButton *one : buttons) {
             const QString name = one->accessibleName().isEmpty() ? one->text() : one->accessibleName();
             QVERIFY2(!name.isEmpty() && !one->toolTip().isEmpty(), qPrintable(one->objectName()));
             QVERIFY2(one->focusPolicy() & Qt::TabFocus, qPrintable(one->objectName()));

@@ -246,7 +246,9 @@ void StabilityPanelTest::everyControlHasATip()
     fixture.session.editor().setParameter("k", 0.3);
     QTest::mouseClick(&fixture.gauge, Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return !fixture.panel.remedies().empty(); }));
-    for (const QAbstractButton *button : fixture.panel.findChildren<QAbstractButton *>()) {
+    const auto buttons = fixture.panel.findChildren<QAbstractButton *>();
+    QVERIFY(!buttons.isEmpty());
+    for (const QAbstractButton *button : buttons) {
         QVERIFY2(!button->toolTip().isEmpty(), qPrintable(button->text()));
         QVERIFY(!button->text().isEmpty() || !button->accessibleName().isEmpty());
         QVERIFY(button->focusPolicy() != Qt::NoFocus);

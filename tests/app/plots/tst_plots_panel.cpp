@@ -222,7 +222,9 @@ private slots:
         QCOMPARE(access->text(QAccessible::Name), QString("y of foot against time"));
         const QString said = access->text(QAccessible::Value);
         QVERIFY2(said.contains(fixture.plot().valueText()) && said.endsWith("frame 12"), qPrintable(said));
-        for (const QWidget *button : fixture.panel.findChildren<QToolButton *>()) {
+        const auto buttons = fixture.panel.findChildren<QToolButton *>();
+        QVERIFY(!buttons.isEmpty());
+        for (const QToolButton *button : buttons) {
             QVERIFY(!button->accessibleName().isEmpty());
             QVERIFY(!button->toolTip().isEmpty());
         }

@@ -95,7 +95,7 @@ void SceneDrawingTest::pullsAreDrawnInsideAFrameOnly()
     QCOMPARE(fixture.pixels(gravity), 0);
     fixture.session.playback().phaseForward();
     QVERIFY(fixture.pixels(gravity) > 60);
-    fixture.session.playback().goTo({1, 0});
+    fixture.goTo(1);
     QCOMPARE(fixture.pixels(spring) + fixture.pixels(gravity), 0);
 }
 
@@ -117,9 +117,9 @@ void SceneDrawingTest::eachExtraChangesThePicture()
     for (int i = 0; i < 12; ++i)
         fixture.session.playback().frameForward();
     if (extra == 5) {
-        fixture.session.playback().goTo({4, 0});
+        fixture.goTo(4);
         fixture.session.editor().setParameter("gravity", 1.4);
-        fixture.session.playback().goTo({12, 0});
+        fixture.goTo(12);
     }
     const QImage before = fixture.image();
     bool Extras::*const members[] = {&Extras::trails,   &Extras::velocities, &Extras::grid,
@@ -180,7 +180,7 @@ void SceneDrawingTest::dampingShortensTheArrowOfTheVelocity()
 void SceneDrawingTest::velocitiesShowInsideAFrameUnlessTheyAreHidden()
 {
     SceneFixture fixture({dampedFoot()});
-    fixture.session.playback().goTo({3, 0});
+    fixture.goTo(3);
     QVERIFY(velocitiesOf(fixture).empty());
     fixture.session.playback().goTo({3, 1});
     QVERIFY(!velocitiesOf(fixture).empty());
@@ -387,13 +387,13 @@ void SceneDrawingTest::nothingOfRestLengthsIsDrawnWhileTheyAreOff()
 void SceneDrawingTest::aGhostIsDrawnWhereItDiffers()
 {
     SceneFixture fixture;
-    fixture.session.playback().goTo({12, 0});
-    fixture.session.playback().goTo({4, 0});
+    fixture.goTo(12);
+    fixture.goTo(4);
     const QImage before = fixture.image();
     fixture.session.editor().setParameter("gravity", 1.4);
     QVERIFY(fixture.session.presentation().comparison().has_value());
     QVERIFY2(fixture.image() == before, "where both runs are the same there is nothing to see");
-    fixture.session.playback().goTo({12, 0});
+    fixture.goTo(12);
     const QImage with = fixture.image();
     fixture.session.comparisons().removeShown();
     QVERIFY(fixture.image() != with);

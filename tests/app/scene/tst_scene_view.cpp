@@ -186,7 +186,7 @@ void SceneViewTest::theHandOfAReplayedRunIsSeen()
     QVERIFY(*fixture.session.input().recordedPointer() == (sim::Vec2{200, 150}));
     QVERIFY(fixture.view.accessibleDescription().contains("hand"));
     const int withPointer = inked();
-    fixture.session.playback().goTo({8, 0});
+    fixture.goTo(8);
     QVERIFY(!fixture.session.input().recordedPointer());
     QVERIFY(withPointer > inked() + 20);
 }

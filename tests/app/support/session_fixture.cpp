@@ -1,6 +1,7 @@
 #include "tests/app/support/session_fixture.h"
 
 #include <QApplication>
+#include <QTest>
 
 using namespace app;
 
@@ -16,6 +17,17 @@ SessionFixture::SessionFixture(Lessons lessons, Scheme scheme)
       theme(scheme)
 {
     theme.apply(*qApp); // before any widget is made: some ask for the font at once
+}
+
+void SessionFixture::goTo(std::int64_t frame)
+{
+    session.playback().goTo({frame, 0});
+    QVERIFY(arrives());
+}
+
+bool SessionFixture::arrives() const
+{
+    return QTest::qWaitFor([this] { return !session.playback().goal(); }, 20'000);
 }
 
 }

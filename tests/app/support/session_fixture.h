@@ -22,6 +22,11 @@ struct SessionFixture
     explicit SessionFixture(app::LessonLibrary lessons = twoLessons());
     SessionFixture(Lessons lessons, app::Scheme scheme);
 
+    /// Goes to the start of a frame and waits until the session is there: distant frames are computed in slices.
+    void goTo(std::int64_t frame);
+    /// Waits until the session is where it was told to go. Returns whether it came there within 20 s.
+    bool arrives() const;
+
     std::unique_ptr<app::Language> language;
     app::LessonLibrary library;
     app::Session session;

@@ -63,4 +63,17 @@ LessonLibrary twoLessons()
     return library;
 }
 
+lessons::Step puppetOf(lessons::Step step)
+{
+    step.id = "puppet";
+    step.method = "semi_implicit_euler";
+    step.scene = [build = step.scene](const sim::Values &values) {
+        sim::Scene scene = build(values);
+        for (sim::Group &group : scene.groups)
+            group.motion = sim::Motion::prescribed;
+        return scene;
+    };
+    return step;
+}
+
 }

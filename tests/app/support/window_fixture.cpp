@@ -35,11 +35,16 @@ WindowFixture::WindowFixture(WindowSetup setup)
     if (!setup.size.isEmpty())
         window.resize(setup.size);
     window.show();
+    activate();
+    view.setFocus();
+    settle();
+}
+
+void WindowFixture::activate()
+{
     window.activateWindow();
     if (!QTest::qWaitForWindowActive(&window))
         qFatal("the window does not become active");
-    view.setFocus();
-    settle();
 }
 
 void WindowFixture::failMissing(const char *type, const QString &name)
@@ -84,17 +89,6 @@ QStringList WindowFixture::shownDocks() const
     }
     names.sort();
     return names;
-}
-
-void WindowFixture::goTo(std::int64_t frame)
-{
-    session.playback().goTo({frame, 0});
-    QVERIFY(arrives());
-}
-
-bool WindowFixture::arrives() const
-{
-    return QTest::qWaitFor([this] { return !session.playback().goal(); }, 20'000);
 }
 
 void WindowFixture::key(int key, Qt::KeyboardModifiers modifiers)

@@ -55,12 +55,10 @@ public:
     // The run
     std::int64_t frame() const { return session.timeline().cursor().frame; }
     int phase() const { return session.timeline().cursor().phase; }
-    /// Goes to the start of a frame and waits until the session is there: distant frames are computed in slices.
-    void goTo(std::int64_t frame);
-    /// Waits until the session is where it was told to go. Returns whether it came there within 20 s.
-    bool arrives() const;
 
     // User input
+    /// Makes the window active again: a dialog that has closed does not do so without a window manager.
+    void activate();
     /// Presses a key where the scene has the keyboard focus.
     void key(int key, Qt::KeyboardModifiers modifiers = {});
     /// Returns where a body is in the viewport of the scene, px.

@@ -1,6 +1,7 @@
 // How the learner wants the window to look, and that it is so at the next start.
 
 #include "app/ui/scene/scene_view.h"
+#include "app/ui/settings/size_menu.h"
 #include "tests/app/window/keyboard_support.h"
 #include "tests/suite.h"
 

@@ -112,7 +112,7 @@ private slots:
         QFETCH(QString, remedy);
         QFETCH(bool, byKey);
         FailureFixture fixture;
-        fixture.session.playback().goTo({5, 0});
+        fixture.goTo(5);
         fixture.session.input().grab("foot3");
         fixture.session.input().moveTo({300, 120});
         fixture.session.playback().frameForward();
@@ -159,7 +159,7 @@ private slots:
         QVERIFY(fixture.failure.isVisible() && !fixture.failure.search().isSearching());
         QVERIFY(fixture.button("Use a step"));
         QVERIFY(sim::sameBits(fixture.run().state(), state));
-        fixture.session.playback().goTo({10, 0});
+        fixture.goTo(10);
         fixture.session.editor().setParameter("feet", 5); // another run, with a future
         QVERIFY(fixture.failure.isHidden());
         QVERIFY(fixture.failure.search().found().empty());

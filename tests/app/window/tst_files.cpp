@@ -94,7 +94,7 @@ QString FilesTest::saved(const char *name, const char *step)
 {
     WindowFixture fixture({"single_spring", step});
     fixture.drag("foot", {30, 20});
-    fixture.session.playback().goTo({20, 0});
+    fixture.goTo(20);
     const QString path = m_folder.filePath(name);
     return fixture.window.saveFile(path) ? path : QString();
 }
@@ -125,7 +125,7 @@ void FilesTest::theTitleHasAMarkWhileTheRunIsNotSaved()
 {
     WindowFixture fixture;
     QVERIFY(!fixture.isMarked());
-    fixture.session.playback().goTo({30, 0});
+    fixture.goTo(30);
     QVERIFY(!fixture.isMarked()); // time alone changes nothing
     fixture.drag("foot", {40, 10});
     QVERIFY(fixture.isMarked());
@@ -151,9 +151,9 @@ void FilesTest::aRunThatIsKeptIsSavedAndOpenedWithTheFile()
     sim::State old;
     {
         WindowFixture fixture({"multi_foot", "two_feet"});
-        fixture.session.playback().goTo({50, 0});
+        fixture.goTo(50);
         old = fixture.session.timeline().state();
-        fixture.session.playback().goTo({20, 0});
+        fixture.goTo(20);
         fixture.drag("foot0", {40, 10});
         QVERIFY(fixture.window.saveFile(path));
         QVERIFY(!fixture.isMarked());
@@ -170,7 +170,7 @@ void FilesTest::aRunThatIsKeptIsSavedAndOpenedWithTheFile()
     fixture.window.openFile(path);
     QVERIFY(!fixture.isMarked());
     QCOMPARE(fixture.session.comparisons().branches().all().size(), std::size_t(1));
-    fixture.session.playback().goTo({50, 0});
+    fixture.goTo(50);
     fixture.session.editor().goBackTo(fixture.session.comparisons().branches().all().front().id);
     QVERIFY(sim::sameBits(fixture.session.timeline().state(), old));
     QVERIFY(fixture.isMarked());
@@ -303,7 +303,7 @@ void FilesTest::aRunIsCopiedAndPastedWithAllItsBits()
     WindowFixture fixture({"multi_foot", "any_number"});
     fixture.session.editor().setParameter("feet", 7);
     fixture.drag("foot0", {51, 17});
-    fixture.session.playback().goTo({60, 0});
+    fixture.goTo(60);
     const sim::State end = fixture.session.timeline().state();
     fixture.key(Qt::Key_C, ctrlShift);
     const QString line = QGuiApplication::clipboard()->text();
@@ -314,7 +314,7 @@ void FilesTest::aRunIsCopiedAndPastedWithAllItsBits()
     fixture.key(Qt::Key_V, ctrlShift);
     QCOMPARE(fixture.notice.sentence(), QString());
     QCOMPARE(fixture.session.step().id, QString("any_number"));
-    fixture.session.playback().goTo({60, 0});
+    fixture.goTo(60);
     QVERIFY(sim::sameBits(fixture.session.timeline().state(), end));
     QVERIFY(fixture.isMarked());
     QVERIFY(!fixture.window.windowTitle().contains(".json"));

@@ -27,8 +27,7 @@ struct GalleryFixture : WindowFixture
 
     void open()
     {
-        window.activateWindow(); // a dialog that has closed does not do so without a window manager
-        QVERIFY(QTest::qWaitForWindowActive(&window));
+        activate();
         QTest::keyClick(&view, Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
         settle();
         QVERIFY(page().isVisible());

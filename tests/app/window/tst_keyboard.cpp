@@ -222,19 +222,17 @@ void KeyboardTest::panelsGiveWayOnASmallScreen_data()
 {
     QTest::addColumn<QSize>("room");
     QTest::addColumn<bool>("rail");
-    QTest::addColumn<bool>("code");
-    QTest::newRow("1920 x 1080") << QSize(1920, 1080) << false << true;
-    QTest::newRow("1280 x 800") << QSize(1280, 800) << false << true;
-    QTest::newRow("1920 x 1080 at 200 %") << QSize(960, 540) << true << true;
-    QTest::newRow("1280 x 800 at 150 %") << QSize(853, 533) << true << true;
-    QTest::newRow("as small as can be") << QSize(800, 500) << true << true;
+    QTest::newRow("1920 x 1080") << QSize(1920, 1080) << false;
+    QTest::newRow("1280 x 800") << QSize(1280, 800) << false;
+    QTest::newRow("1920 x 1080 at 200 %") << QSize(960, 540) << true;
+    QTest::newRow("1280 x 800 at 150 %") << QSize(853, 533) << true;
+    QTest::newRow("as small as can be") << QSize(800, 500) << true;
 }
 
 void KeyboardTest::panelsGiveWayOnASmallScreen()
 {
     QFETCH(const QSize, room);
     QFETCH(const bool, rail);
-    QFETCH(const bool, code);
     LargeWindow fixture;
     const auto isRail = [&fixture] {
         return fixture.window.findChild<LearnPanel *>()->form() == LearnPanel::Form::rail;
@@ -242,7 +240,7 @@ void KeyboardTest::panelsGiveWayOnASmallScreen()
     fixture.window.fitInto(room);
     QCoreApplication::processEvents();
     QCOMPARE(isRail(), rail);
-    QCOMPARE(fixture.shownDocks().contains("code"), code);
+    QVERIFY(fixture.shownDocks().contains("code"));
     QVERIFY2(fixture.window.width() <= room.width() && fixture.window.height() <= room.height(),
              qPrintable(QString("%1 x %2").arg(fixture.window.width()).arg(fixture.window.height())));
     QTest::keyClick(&fixture.window, Qt::Key_1,

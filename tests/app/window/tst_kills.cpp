@@ -3,6 +3,7 @@
 // SPRINGSTEP_RANDOM_SEED which; tests/kill does 200.
 
 #include "app/model/files/autosave.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QCryptographicHash>
@@ -20,12 +21,6 @@ namespace {
 
 constexpr int mostLost = 2000; ///< ms of input
 constexpr int atOnce = 5;      ///< programs
-
-quint32 setting(const char *name, quint32 preset)
-{
-    const QByteArray given = qgetenv(name);
-    return given.isEmpty() ? preset : given.toUInt();
-}
 
 /// A state of a run, and when it was reached.
 struct Noted
@@ -134,8 +129,8 @@ void KillsTest::check(const Killed &killed)
 
 void KillsTest::atMostTwoSecondsAreLost()
 {
-    const quint32 seed = setting("SPRINGSTEP_RANDOM_SEED", 1);
-    const quint32 count = setting("SPRINGSTEP_KILLS", 5);
+    const quint32 seed = tests::setting("SPRINGSTEP_RANDOM_SEED", 1u);
+    const quint32 count = tests::setting("SPRINGSTEP_KILLS", 5u);
     QRandomGenerator random(seed);
     for (quint32 first = 0; first < count; first += atOnce) {
         std::vector<std::unique_ptr<Killed>> programs;

@@ -224,7 +224,7 @@ private slots:
     void theTimelineInTheRowIsScrubbedLikeTheOther()
     {
         LayoutFixture fixture;
-        fixture.session.playback().goTo({80, 0});
+        fixture.goTo(80);
         fixture.key(Qt::Key_F11);
         auto *timeline = fixture.window.findChild<TimelineStrip *>();
         const QPoint place(qRound(timeline->axis().xOf(30)), 25);

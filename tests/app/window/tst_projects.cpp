@@ -35,10 +35,14 @@ struct ProjectFixture : WindowFixture
         settle();
     }
 
-    static QString firstStepOf(const QString &lesson)
+    static const LessonLibrary &allLessons()
     {
         static const LessonLibrary all = LessonLibrary::load({LESSON_DIR});
-        return all.lesson(lesson)->steps.front().id;
+        return all;
+    }
+    static QString firstStepOf(const QString &lesson)
+    {
+        return allLessons().lesson(lesson)->steps.front().id;
     }
 
     ProjectBox &project() const { return part<ProjectBox>("project"); }
@@ -137,9 +141,10 @@ void ProjectsTest::theSceneShowsTheRingOfAProjectUntilItIsPutAway()
 void ProjectsTest::thePageAfterALessonHasItsProject_data()
 {
     QTest::addColumn<QString>("lesson");
-    for (const char *lesson : {"single_spring", "two_body", "multi_foot", "gravity_walls", "walking_gait",
-                               "swaying_tree", "rigid_constraint", "codeling", "accuracy", "hard_cases"})
-        QTest::newRow(lesson) << lesson;
+    for (const LessonEntry &lesson : ProjectFixture::allLessons().lessons) {
+        if (lesson.project)
+            QTest::newRow(qPrintable(lesson.id)) << lesson.id;
+    }
 }
 
 void ProjectsTest::thePageAfterALessonHasItsProject()
@@ -149,7 +154,9 @@ void ProjectsTest::thePageAfterALessonHasItsProject()
     QCOMPARE(window.project().lesson(), lesson);
     QVERIFY(window.project().isVisible());
     QCOMPARE(window.project().levels().size(), 3U);
-    for (QToolButton *button : window.project().findChildren<QToolButton *>())
+    const auto buttons = window.project().findChildren<QToolButton *>();
+    QVERIFY(!buttons.isEmpty());
+    for (QToolButton *button : buttons)
         QVERIFY2(!button->toolTip().isEmpty(), qPrintable(button->objectName()));
 }
 
@@ -368,10 +375,14 @@ void ProjectsTest::germanTextsFit()
     ProjectFixture window("single_spring", "de");
     QCOMPARE(window.session.lesson().project->title, "Sanft landen");
     const LevelBox &level = *window.project().levels().front();
+    int shown = 0;
     for (const QToolButton *button : level.findChildren<QToolButton *>()) {
-        if (button->isVisible())
-            QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
+        if (!button->isVisible())
+            continue;
+        ++shown;
+        QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
     }
+    QVERIFY(shown > 0);
     QVERIFY(window.project().width() <= window.panel.width());
 }
 

@@ -66,12 +66,12 @@ void leaveThree(const QString &folder)
     for (const char *step : {"fixed_centre", "moving_body"}) {
         fixture.session.openStep("single_spring", step);
         fixture.session.editor().setParameter("k", 0.3);
-        fixture.session.playback().goTo({30, 0});
+        fixture.goTo(30);
         leave(folder, fixture.session.experiment(), fixture.library, now.addSecs(-3600 * ++hours));
     }
     fixture.session.openStep("multi_foot", "two_feet");
     fixture.drag("foot0", {40, 10});
-    fixture.session.playback().goTo({80, 0});
+    fixture.goTo(80);
     leave(folder, fixture.session.experiment(), fixture.library, now.addSecs(-3600 * ++hours));
 }
 
@@ -118,8 +118,8 @@ void RecoveryTest::nothingIsWrittenAndNothingRunsWhileNothingChanges()
     const QTemporaryDir folder;
     WindowFixture fixture;
     fixture.window.autosaveIn(folder.path(), soon);
-    fixture.session.playback().goTo({200, 0});
-    fixture.session.playback().goTo({100, 0});
+    fixture.goTo(200);
+    fixture.goTo(100);
     const TickCounter ticks;
     QVERIFY(Activity().comesToRest(4 * soon));
     QCOMPARE(ticks.count, 0);
@@ -185,7 +185,7 @@ void RecoveryTest::whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas()
     const QTemporaryDir folder;
     WindowFixture fixture({"multi_foot", "two_feet"});
     fixture.drag("foot0", {40, 10});
-    fixture.session.playback().goTo({80, 0});
+    fixture.goTo(80);
     const sim::State end = fixture.session.timeline().state();
     leave(folder.path(), fixture.session.experiment(), fixture.library);
     WindowFixture next;
@@ -212,8 +212,8 @@ void RecoveryTest::aRunThatIsNamedIsKeptAndComesBack()
     {
         WindowFixture fixture;
         fixture.window.autosaveIn(folder.path(), soon);
-        fixture.session.playback().goTo({40, 0});
-        fixture.session.playback().goTo({20, 0});
+        fixture.goTo(40);
+        fixture.goTo(20);
         fixture.session.editor().setParameter("k", 0.3);
         QTRY_COMPARE(scenesIn(folder.path()).size(), 1);
         QVERIFY(readExperiment(scenesIn(folder.path()).front(), fixture.library).branches.isEmpty());

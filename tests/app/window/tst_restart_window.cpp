@@ -201,7 +201,7 @@ private slots:
     {
         const QTemporaryDir folder;
         WindowFixture fixture;
-        fixture.session.playback().goTo({30, 0});
+        fixture.goTo(30);
         fixture.actionCalled("Film of the run…").trigger();
         auto *film = fixture.window.findChild<FilmDialog *>();
         QVERIFY(film);

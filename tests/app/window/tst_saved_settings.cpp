@@ -10,6 +10,7 @@
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/settings/appearance.h"
+#include "app/ui/settings/size_menu.h"
 #include "app/ui/window/last_step.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"

@@ -68,7 +68,7 @@ void StatusBarTest::theStatusBarTellsWhatWasMeasuredAndNothingElse()
     // What chooses its own work is counted as it goes.
     fixture.session.editor().setMethod("dormand_prince");
     QCOMPARE(figures.figures().size(), 1);
-    fixture.session.playback().goTo({10, 0});
+    fixture.goTo(10);
     QVERIFY(figures.figures().at(1).endsWith("times a frame so far"));
 }
 

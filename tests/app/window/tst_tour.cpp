@@ -161,7 +161,7 @@ void TourTest::aKeyShowsTheNextHint()
 void TourTest::aKeyOpensTheGlossaryWhichDoesNotLeaveTheLesson()
 {
     TourFixture fixture;
-    fixture.session.playback().goTo({7, 0});
+    fixture.goTo(7);
     fixture.view.setFocus();
     QTest::keyClick(&fixture.view, Qt::Key_F1, Qt::ShiftModifier);
     auto *page = fixture.window.findChild<GlossaryPage *>();

@@ -71,7 +71,7 @@ private:
 void WindowTest::aThrowByMouseIsTheSameRunInTrace()
 {
     WindowFixture fixture({"multi_foot", "any_number"});
-    fixture.session.playback().goTo({10, 0});
+    fixture.goTo(10);
     const QPoint start = fixture.onScreen("foot0");
     QWidget *target = fixture.view.viewport();
     QTest::mousePress(target, Qt::LeftButton, {}, start);
@@ -83,7 +83,7 @@ void WindowTest::aThrowByMouseIsTheSameRunInTrace()
         QTest::keyClick(&fixture.view, Qt::Key_Right);
     }
     QTest::mouseRelease(target, Qt::LeftButton, {}, start + QPoint(48, -32));
-    fixture.session.playback().goTo({60, 0});
+    fixture.goTo(60);
     const QString file = m_folder.filePath("throw.json");
     QVERIFY(fixture.window.saveFile(file));
 
@@ -123,8 +123,8 @@ void WindowTest::keysDoWhatTheHelpPageSays()
     QFETCH(int, key);
     QFETCH(int, modifiers);
     WindowFixture fixture;
-    fixture.session.playback().goTo({40, 0});
-    fixture.session.playback().goTo({20, 0});
+    fixture.goTo(40);
+    fixture.goTo(20);
     QTest::keyClick(&fixture.view, Qt::Key(key), Qt::KeyboardModifiers(modifiers));
     QTEST(int(fixture.frame()), "frame");
     QTEST(fixture.phase(), "phase");
@@ -133,25 +133,25 @@ void WindowTest::keysDoWhatTheHelpPageSays()
 void WindowTest::homeRestartsAndWithShiftItRepeats()
 {
     WindowFixture fixture;
-    fixture.session.playback().goTo({5, 0});
+    fixture.goTo(5);
     fixture.session.input().grab("foot");
     fixture.session.input().moveTo({200, 150});
     fixture.session.playback().frameForward();
     fixture.session.input().release();
-    fixture.session.playback().goTo({12, 0});
+    fixture.goTo(12);
     const sim::State end = fixture.session.timeline().state();
     QTest::keyClick(&fixture.view, Qt::Key_Home, Qt::ShiftModifier);
     QVERIFY(fixture.session.playback().isPlaying());
     QVERIFY(fixture.session.editor().hasInput());
     fixture.session.playback().pause();
-    fixture.session.playback().goTo({12, 0});
+    fixture.goTo(12);
     QVERIFY(sim::sameBits(fixture.session.timeline().state(), end));
     QTest::keyClick(&fixture.view, Qt::Key_Home);
     QCOMPARE(fixture.frame(), 0);
     QVERIFY(!fixture.session.playback().isPlaying());
     QVERIFY(!fixture.session.editor().hasInput());
     QTest::keyClick(&fixture.view, Qt::Key_Z, Qt::ControlModifier);
-    fixture.session.playback().goTo({12, 0});
+    fixture.goTo(12);
     QVERIFY(sim::sameBits(fixture.session.timeline().state(), end));
 }
 
@@ -179,7 +179,7 @@ void WindowTest::pageKeysWalkThroughAllStepsOfAllLessons()
 void WindowTest::scrubbingTheTimelineComesBackToTheSameBits()
 {
     WindowFixture fixture({"two_body", "leg_line"});
-    fixture.session.playback().goTo({100, 0});
+    fixture.goTo(100);
     const sim::State end = fixture.session.timeline().state();
     auto *strip = fixture.window.findChild<TimelineStrip *>();
     QTest::mouseClick(strip, Qt::LeftButton, {}, QPoint(strip->width() / 4, 25));
@@ -192,8 +192,8 @@ void WindowTest::scrubbingTheTimelineComesBackToTheSameBits()
 void WindowTest::aParameterChangedInThePastLeavesAGhost()
 {
     WindowFixture fixture({"gravity_walls", "gravity"});
-    fixture.session.playback().goTo({80, 0});
-    fixture.session.playback().goTo({30, 0});
+    fixture.goTo(80);
+    fixture.goTo(30);
     QVERIFY(!fixture.session.presentation().comparison());
     auto *slider = fixture.window.findChild<ParameterPanel *>()->findChild<QAbstractSlider *>();
     QVERIFY(slider);
@@ -202,7 +202,7 @@ void WindowTest::aParameterChangedInThePastLeavesAGhost()
     QVERIFY(fixture.session.timeline().comparison());
     QCOMPARE(fixture.session.timeline().forkFrame(), 31);
     QCOMPARE(fixture.session.timeline().comparison()->computed(), 80);
-    fixture.session.playback().goTo({60, 0});
+    fixture.goTo(60);
     QVERIFY(
         !sim::sameBits(fixture.session.timeline().state(), fixture.session.timeline().comparison()->state()));
 }
@@ -210,7 +210,7 @@ void WindowTest::aParameterChangedInThePastLeavesAGhost()
 void WindowTest::aBadFileIsNamedAndTheSceneIsUnchanged()
 {
     WindowFixture fixture;
-    fixture.session.playback().goTo({12, 0});
+    fixture.goTo(12);
     const sim::State before = fixture.session.timeline().state();
     QFile bad(m_folder.filePath("bad.json"));
     QVERIFY(bad.open(QFile::WriteOnly));
@@ -228,16 +228,16 @@ void WindowTest::aBadFileIsNamedAndTheSceneIsUnchanged()
 void WindowTest::aSavedExperimentOpensAsTheSameRun()
 {
     WindowFixture fixture({"multi_foot", "two_feet"});
-    fixture.session.playback().goTo({5, 0});
+    fixture.goTo(5);
     fixture.session.editor().setParameter("k", 0.31);
-    fixture.session.playback().goTo({50, 0});
+    fixture.goTo(50);
     const sim::State end = fixture.session.timeline().state();
     const QString file = m_folder.filePath("saved.json");
     QVERIFY(fixture.window.saveFile(file));
     fixture.session.openStep("single_spring", "drag");
     fixture.window.openFile(file);
     QCOMPARE(fixture.session.step().id, QString("two_feet"));
-    fixture.session.playback().goTo({50, 0});
+    fixture.goTo(50);
     QVERIFY(sim::sameBits(fixture.session.timeline().state(), end));
 }
 
@@ -305,8 +305,8 @@ void WindowTest::theOldRunIsForgottenWhereThereIsOne()
                                     [](const QAction *one) { return one->text() == "Delete the &old run"; });
     QVERIFY(found != actions.end());
     QVERIFY(!(*found)->isEnabled());
-    fixture.session.playback().goTo({60, 0});
-    fixture.session.playback().goTo({30, 0});
+    fixture.goTo(60);
+    fixture.goTo(30);
     fixture.session.editor().setParameter("k", 0.31);
     QVERIFY((*found)->isEnabled());
     QTest::keyClick(&fixture.view, Qt::Key_D, Qt::ControlModifier);

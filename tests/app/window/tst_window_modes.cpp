@@ -30,7 +30,7 @@ private slots:
 void WindowModesTest::nothingRunsWhilePaused()
 {
     WindowFixture fixture({"gravity_walls", "gravity"});
-    fixture.session.playback().goTo({50, 0});
+    fixture.goTo(50);
     QVERIFY(Activity().comesToRest());
 }
 
@@ -114,7 +114,7 @@ void WindowModesTest::theReferenceRunsAlongUntilTheSceneChanges()
     QTRY_VERIFY(fixture.view.shown().reference);
     fixture.session.playback().goTo({1, 1}); // inside a frame there is nothing to compare with
     QVERIFY(!fixture.view.shown().reference);
-    fixture.session.playback().goTo({1, 0});
+    fixture.goTo(1);
     fixture.window.setMode(MainWindow::Mode::learn);
     QVERIFY(!fixture.view.shown().reference);
 }
@@ -122,7 +122,7 @@ void WindowModesTest::theReferenceRunsAlongUntilTheSceneChanges()
 void WindowModesTest::guidesOfTheExactMotionGiveWayToTheReference()
 {
     WindowFixture fixture({.lesson = "accuracy", .step = "halve", .study = quickStudy});
-    fixture.session.playback().goTo({12, 0});
+    fixture.goTo(12);
     const auto marks = [&] {
         const std::vector<lessons::Overlay> &overlays = fixture.view.shown().picture.overlays;
         return std::count_if(overlays.begin(), overlays.end(), [](const lessons::Overlay &overlay) {

@@ -6,7 +6,7 @@
 #include "app/ui/film/film_dialog.h"
 #include "app/ui/help/about_page.h"
 #include "app/ui/map/map_page.h"
-#include "app/ui/settings/appearance.h"
+#include "app/ui/settings/size_menu.h"
 #include "app/ui/window/gui.h"
 #include "app/ui/window/restart.h"
 #include "tests/app/support/window_fixture.h"

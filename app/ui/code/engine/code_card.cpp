@@ -39,7 +39,6 @@ CodeCard::CodeCard(const Theme &theme, QWidget *parent) : QWidget(parent, Qt::To
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_ShowWithoutActivating);
     setFocusPolicy(Qt::NoFocus);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 void CodeCard::show(const CodeSymbol &symbol, const QString &whose, const CodeHistory &history,

@@ -6,7 +6,7 @@
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/engine/code_card.h"
 #include "app/ui/code/engine/code_view.h"
-#include "app/ui/theme/theme.h"
+#include "app/ui/theme/icon_button.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QApplication>
@@ -19,8 +19,7 @@ namespace app {
 
 namespace {
 
-constexpr int besideGone = 14;              ///< px, between a number of lines and the edges of its button
-constexpr qint64 playingMilliseconds = 100; ///< between two updates during playback, to keep numbers readable
+constexpr int besideGone = 14; ///< px, between a number of lines and the edges of its button
 
 }
 
@@ -38,11 +37,9 @@ CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
     makeActions();
     connectView();
     connectNumbers();
-    applyTheme();
-    connect(&theme, &Theme::changed, this, &CodePanel::applyTheme);
     session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor, this, &CodePanel::follow);
     session.onChange(ChangeKind::playing, this, [this] {
-        m_refreshed.invalidate(); // marks are updated without delay
+        m_pace.reset(); // marks are updated without delay
         follow();
     });
     session.onChange(ChangeKind::selection, this, [this] {
@@ -63,18 +60,14 @@ void CodePanel::makeActions()
                                "their old places (%1 in the code).")
                                 .arg(keyText(codeKeys::showRemovedLines)));
     m_goneLines->setCheckable(true);
-    m_copy = m_actions.addButton();
-    m_copy->setToolTip(tr("Copy the shown code, with its files' names"));
-    m_copy->setAccessibleName(tr("Copy the code"));
+    QToolButton *copy = m_actions.addButton();
+    showIcon(*copy, "copy", m_theme);
+    copy->setToolTip(tr("Copy the shown code, with its files' names"));
+    copy->setAccessibleName(tr("Copy the code"));
     connect(m_newLines, &QToolButton::clicked, m_view, &CodeView::showNextNew);
     connect(m_goneLines, &QToolButton::toggled, this, &CodePanel::showGoneLines);
     connect(m_goneLines, &QToolButton::clicked, m_view, &CodeView::showFirstGone);
-    connect(m_copy, &QToolButton::clicked, this, &CodePanel::copyAll);
-}
-
-void CodePanel::applyTheme()
-{
-    m_copy->setIcon(m_theme.icon(QStringLiteral("copy")));
+    connect(copy, &QToolButton::clicked, this, &CodePanel::copyAll);
 }
 
 void CodePanel::copyAll()
@@ -114,12 +107,8 @@ void CodePanel::follow()
     if (!same)
         rebuild();
     showCaption();
-    if (!isVisible())
-        return;
-    if (m_session.playback().isPlaying() && m_refreshed.isValid() &&
-        m_refreshed.elapsed() < playingMilliseconds)
-        return;
-    refresh();
+    if (isVisible() && m_pace.isDue())
+        refresh();
 }
 
 void CodePanel::rebuild()
@@ -141,7 +130,7 @@ void CodePanel::rebuild()
     m_ranTo.reset();
     m_card->hide();
     closeEditor();
-    m_refreshed.invalidate();
+    m_pace.reset();
     m_begun = false;
     showNewLines();
 }
@@ -154,7 +143,7 @@ std::optional<CodeListing> CodePanel::listingBefore() const
 
 void CodePanel::refresh()
 {
-    m_refreshed.start();
+    m_pace.restart();
     const sim::Timeline &timeline = m_session.preview().run();
     std::vector<CodeChip> values =
         chipsOf(m_listing, m_session.presentation().explanations(), *m_interval, point());

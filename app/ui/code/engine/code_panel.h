@@ -4,8 +4,8 @@
 #include "app/model/code/code_marks.h"
 #include "app/model/session/session.h"
 #include "app/ui/code/title_actions.h"
+#include "app/ui/dock/number_pace.h"
 
-#include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPointer>
@@ -86,7 +86,6 @@ private:
     void askSymbol(std::size_t row, qsizetype column);
     void showCard();
     QString whose(const CodeSymbol &symbol) const;
-    void applyTheme();
     void pointAt(std::optional<std::size_t> row);
     void followPreview();
     void follow();
@@ -115,7 +114,6 @@ private:
     TitleActions m_actions;
     QToolButton *m_newLines = nullptr;
     QToolButton *m_goneLines = nullptr;
-    QToolButton *m_copy = nullptr;
     CodeListing m_listing;
     std::shared_ptr<const sim::ComposedInterval> m_interval; ///< the source of m_listing
     sim::MethodPtr m_method;
@@ -125,7 +123,7 @@ private:
     bool m_begun = false;       ///< whether the values have left frame 0 since this code was shown
     bool m_ownsPreview = false; ///< whether the marked moment is that of the line under the mouse
     std::optional<int> m_top;   ///< the first visible line before the preview began
-    QElapsedTimer m_refreshed;  ///< time since the values were last shown
+    NumberPace m_pace{m_session.playback()};
     QString m_caption;
 };
 

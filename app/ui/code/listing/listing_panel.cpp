@@ -9,7 +9,7 @@
 #include "app/ui/code/listing/listing_editor.h"
 #include "app/ui/code/listing/mistake_row.h"
 #include "app/ui/code/listing/parameter_drag.h"
-#include "app/ui/theme/theme.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QLabel>
 #include <QToolButton>
@@ -19,22 +19,22 @@ namespace app {
 
 namespace {
 
-constexpr qint64 betweenValuesMilliseconds =
-    100; ///< between two updates during playback, to keep numbers readable
 constexpr int rowMargin = 16;
 
 }
 
 ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_calls(new QLabel(this)),
+    : QWidget(parent), m_session(session), m_calls(new QLabel(this)),
       m_editor(new ListingEditor(theme, ListingEditor::Kind::listing, this)),
       m_parameters(new ParameterDrag(*m_editor, session.run(), session.editor())),
       m_mistake(new MistakeRow(this)),
-      m_stops(new BreakpointList(session.run(), session.playback(), theme, this))
+      m_stops(new BreakpointList(session.run(), session.playback(), theme, this)),
+      m_reset(m_actions.addButton("resetListing", tr("Reset listing")))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
     m_calls->setObjectName("caption");
+    m_calls->setFont(theme.mono(12));
     m_calls->setTextFormat(Qt::PlainText);
     m_calls->setWordWrap(true);
     m_calls->hide();
@@ -50,28 +50,21 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
     layout->addWidget(m_stops);
     connect(m_stops, &BreakpointList::chosen, this, &ListingPanel::placeChosen);
     setFocusProxy(m_editor);
-    makeActions();
+    showIcon(*m_reset, "reset", theme);
+    connect(m_reset, &QToolButton::clicked, this, [this] {
+        m_editor->dropPending();
+        m_session.code().reset();
+    });
     connectEditor();
-    applyTheme();
-    connect(&theme, &Theme::changed, this, &ListingPanel::applyTheme);
     session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
                          ChangeKind::preview | ChangeKind::code,
                      this, &ListingPanel::follow);
     refresh();
 }
 
-void ListingPanel::makeActions()
-{
-    m_reset = m_actions.addButton("resetListing", tr("Reset listing"));
-    connect(m_reset, &QToolButton::clicked, this, [this] {
-        m_editor->dropPending();
-        m_session.code().reset();
-    });
-}
-
 void ListingPanel::connectEditor()
 {
-    connect(m_editor, &ListingEditor::written, this, &ListingPanel::write);
+    connect(m_editor, &ListingEditor::written, &m_session.code(), &LearnerCode::write);
     connect(m_editor, &ListingEditor::completionsWanted, this, [this](int line, int column) {
         m_editor->showCompletions(
             completionsAt(m_editor->text(), line, column, m_session.code().vocabulary()));
@@ -90,17 +83,6 @@ void ListingPanel::connectEditor()
     connect(m_editor, &ListingEditor::pointedAt, this, &ListingPanel::pointAt);
     connect(m_editor, &ListingEditor::left, this, &ListingPanel::left);
     connect(m_editor, &ListingEditor::resetRequested, m_reset, &QToolButton::click);
-}
-
-void ListingPanel::applyTheme()
-{
-    m_reset->setIcon(m_theme.icon(QStringLiteral("reset")));
-    m_calls->setFont(m_theme.mono(12));
-}
-
-void ListingPanel::write(const QString &text)
-{
-    m_session.code().write(text);
 }
 
 QString ListingPanel::sentence() const
@@ -142,8 +124,7 @@ void ListingPanel::follow(const Change &change)
         m_step = &m_session.step();
         return;
     }
-    if (!isVisible() || (m_session.playback().isPlaying() && m_refreshed.isValid() &&
-                         m_refreshed.elapsed() < betweenValuesMilliseconds))
+    if (!isVisible() || !m_pace.isDue())
         return;
     showMistakes();
     showValues();
@@ -208,7 +189,7 @@ void ListingPanel::showMistakes()
 
 void ListingPanel::showValues()
 {
-    m_refreshed.start();
+    m_pace.restart();
     const LineStepper &lines = m_session.lines();
     const LineStepper::Shown shown = lines.shown();
     const bool isPlaying = m_session.playback().isPlaying();

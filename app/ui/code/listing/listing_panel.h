@@ -4,8 +4,8 @@
 #include "app/model/listing/vector_mark.h"
 #include "app/model/session/session.h"
 #include "app/ui/code/title_actions.h"
+#include "app/ui/dock/number_pace.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 class QLabel;
@@ -51,10 +51,7 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
-    void makeActions();
     void connectEditor();
-    void applyTheme();
-    void write(const QString &text);
     void follow(const Change &change);
     void refresh();
     void showText();
@@ -66,18 +63,17 @@ private:
     void pointAt(const std::optional<TextRange> &place);
 
     Session &m_session;
-    const Theme &m_theme;
     QLabel *m_calls;
     ListingEditor *m_editor;
     ParameterDrag *m_parameters;
     MistakeRow *m_mistake;
     BreakpointList *m_stops;
     TitleActions m_actions;
-    QToolButton *m_reset = nullptr;
+    QToolButton *m_reset;
     const lessons::Step *m_step = nullptr; ///< the step that is shown
     std::optional<TextRange> m_pointed;
     QString m_pointedBody;
-    QElapsedTimer m_refreshed; ///< time since the values were last shown
+    NumberPace m_pace{m_session.playback()};
 };
 
 }

@@ -1,5 +1,7 @@
 #include "app/ui/code/listing/mistake_row.h"
 
+#include "app/ui/dock/divider.h"
+
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -12,17 +14,13 @@ MistakeRow::MistakeRow(QWidget *parent) : QWidget(parent), m_sentence(new QLabel
     m_sentence->setTextFormat(Qt::PlainText);
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto *divider = new QWidget(this);
-    divider->setObjectName("divider");
-    divider->setAttribute(Qt::WA_StyledBackground);
-    divider->setFixedHeight(1);
     auto *room = new QVBoxLayout;
     room->setContentsMargins(sideMargin, 6, sideMargin, 8);
     room->addWidget(m_sentence);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(divider);
+    column->addWidget(divider(this));
     column->addLayout(room);
     hide();
 }

@@ -9,7 +9,8 @@
 #include "app/ui/code/listing/listing_editor.h"
 #include "app/ui/code/listing/mistake_row.h"
 #include "app/ui/code/listing/parameter_drag.h"
-#include "app/ui/theme/theme.h"
+#include "app/ui/dock/divider.h"
+#include "app/ui/theme/icon_button.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QHBoxLayout>
@@ -28,10 +29,11 @@ const QString ruleEffect = QStringLiteral("rule");
 
 RulePanel::RulePanel(const OpenRun &run, RunEditor &changes, const Playback &playback, RuleCode &rule,
                      const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_run(run), m_changes(changes), m_playback(playback), m_rule(rule), m_theme(theme),
+    : QWidget(parent), m_run(run), m_changes(changes), m_playback(playback), m_rule(rule),
       m_editor(new ListingEditor(theme, ListingEditor::Kind::rule, this)),
       m_parameters(new ParameterDrag(*m_editor, run, changes)), m_mistake(new MistakeRow(this)),
-      m_state(new QLabel(this)), m_switchOn(new QPushButton(this))
+      m_state(new QLabel(this)), m_switchOn(new QPushButton(this)),
+      m_delete(m_actions.addButton("deleteRule", tr("Delete rule")))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -42,37 +44,26 @@ RulePanel::RulePanel(const OpenRun &run, RunEditor &changes, const Playback &pla
     layout->addWidget(m_mistake);
     layout->addWidget(makeFoot());
     setFocusProxy(m_editor);
-    makeActions();
+    showIcon(*m_delete, "close", theme);
+    connect(m_delete, &QToolButton::clicked, this, [this] {
+        m_editor->dropPending();
+        m_rule.remove();
+    });
     connect(m_editor, &ListingEditor::written, this, [this](const QString &text) { m_rule.write(text); });
     connect(m_editor, &ListingEditor::completionsWanted, this, [this](int line, int column) {
         m_editor->showCompletions(completionsAt(m_editor->text(), line, column, listing::ruleVocabulary()));
     });
     connect(m_editor, &ListingEditor::left, this, &RulePanel::left);
     connect(m_editor, &ListingEditor::resetRequested, m_delete, &QToolButton::click);
-    applyTheme();
-    connect(&theme, &Theme::changed, this, &RulePanel::applyTheme);
     run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
                      ChangeKind::code,
                  this, &RulePanel::follow);
     refresh();
 }
 
-void RulePanel::makeActions()
-{
-    m_delete = m_actions.addButton("deleteRule", tr("Delete rule"));
-    connect(m_delete, &QToolButton::clicked, this, [this] {
-        m_editor->dropPending();
-        m_rule.remove();
-    });
-}
-
 QWidget *RulePanel::makeFoot()
 {
     auto *foot = new QWidget(this);
-    auto *divider = new QWidget(foot);
-    divider->setObjectName("divider");
-    divider->setAttribute(Qt::WA_StyledBackground);
-    divider->setFixedHeight(1);
     m_state->setObjectName("caption");
     m_state->setWordWrap(true);
     m_switchOn->setText(tr("Switch on"));
@@ -92,7 +83,7 @@ QWidget *RulePanel::makeFoot()
     auto *column = new QVBoxLayout(foot);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(divider);
+    column->addWidget(divider(foot));
     column->addLayout(words);
     column->addLayout(m_commands);
     return foot;
@@ -108,11 +99,6 @@ void RulePanel::addCommand(Command &command)
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(command.iconText());
     m_commands->insertWidget(m_commands->count() - 1, button);
-}
-
-void RulePanel::applyTheme()
-{
-    m_delete->setIcon(m_theme.icon(QStringLiteral("close")));
 }
 
 QString RulePanel::sentence() const
@@ -172,7 +158,7 @@ void RulePanel::refresh()
 QString RulePanel::stateText() const
 {
     if (!m_rule.hasRule())
-        return tr("No rule acts yet. What you write acts as soon as you pause.");
+        return tr("No rule acts yet. Your code acts as soon as you stop typing.");
     if (m_changes.isOff(ruleEffect))
         return tr("Your rule is switched off.");
     if (!m_rule.isActing())

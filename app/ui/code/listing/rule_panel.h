@@ -50,9 +50,7 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
-    void makeActions();
     QWidget *makeFoot();
-    void applyTheme();
     void follow(const Change &change);
     void refresh();
     void showMistakes();
@@ -62,7 +60,6 @@ private:
     RunEditor &m_changes;
     const Playback &m_playback;
     RuleCode &m_rule;
-    const Theme &m_theme;
     ListingEditor *m_editor;
     ParameterDrag *m_parameters;
     MistakeRow *m_mistake;
@@ -70,7 +67,7 @@ private:
     QPushButton *m_switchOn;
     QHBoxLayout *m_commands = nullptr;
     TitleActions m_actions;
-    QToolButton *m_delete = nullptr;
+    QToolButton *m_delete;
     const lessons::Step *m_step = nullptr; ///< the step that is shown
 };
 

@@ -25,10 +25,8 @@ ProjectBox::ProjectBox(const OpenRun &run, ProjectDesk &desk, Shows shows, const
       m_brief(new NarrationText(theme, m_content, NarrationText::Kind::aside))
 {
     setObjectName(shows == Shows::lesson ? "project" : "projectCard");
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    m_content->setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_content->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_brief->setObjectName("projectBrief");
     makeHead();
     auto *inner = new QVBoxLayout(m_content);

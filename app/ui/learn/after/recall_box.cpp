@@ -2,6 +2,7 @@
 
 #include "app/ui/learn/choice_row.h"
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,9 +24,7 @@ RecallBox::RecallBox(RecallDesk &desk, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_desk(desk), m_theme(theme), m_column(new QVBoxLayout(this))
 {
     setObjectName("recall");
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     m_column->setContentsMargins(0, 0, 0, 10);
     m_column->setSpacing(2);
     m_heading = new QLabel(this);
@@ -37,8 +36,8 @@ RecallBox::RecallBox(RecallDesk &desk, const Theme &theme, QWidget *parent)
     m_intro->setTextFormat(Qt::PlainText);
     m_count = new QLabel(this);
     m_count->setObjectName("caption");
-    m_back = addStepButton("previousQuestion", tr("The question before"));
-    m_next = addStepButton("nextQuestion", tr("The next question"));
+    m_back = addStepButton("previousQuestion", "left", tr("The question before"));
+    m_next = addStepButton("nextQuestion", "right", tr("The next question"));
     auto *row = new QHBoxLayout;
     row->setSpacing(0);
     row->addWidget(m_count, 1);
@@ -63,18 +62,14 @@ RecallBox::RecallBox(RecallDesk &desk, const Theme &theme, QWidget *parent)
     connect(m_next, &QToolButton::clicked, this, [this] { showQuestion(m_number + 1); });
     connect(m_do, &QPushButton::clicked, this, [this] { m_desk.start(*m_lesson, question()); });
     connect(&desk, &RecallDesk::changed, this, &RecallBox::refresh);
-    connect(&theme, &Theme::changed, this, &RecallBox::applyTheme);
-    applyTheme();
     hide();
 }
 
-QToolButton *RecallBox::addStepButton(const QString &name, const QString &tip)
+QToolButton *RecallBox::addStepButton(const QString &name, const QString &icon, const QString &tip)
 {
-    auto *button = new QToolButton(this);
-    button->setObjectName(name);
+    QToolButton *button = makeIconButton(name, icon, m_theme, this);
     button->setFixedSize(28, 24);
     button->setIconSize({14, 14});
-    button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(tip);
     button->setToolTip(tip);
     return button;
@@ -190,12 +185,6 @@ void RecallBox::showAnswers()
     m_count->setText(isAnswered && (isDone || chosen == 0U) ? which + QStringLiteral(" ✓") : which);
     updateGeometry();
     emit heightChanged();
-}
-
-void RecallBox::applyTheme()
-{
-    m_back->setIcon(m_theme.icon("left"));
-    m_next->setIcon(m_theme.icon("right"));
 }
 
 }

@@ -52,12 +52,11 @@ private:
         std::size_t choice = 0; ///< index in the document
     };
 
-    QToolButton *addStepButton(const QString &name, const QString &tip);
+    QToolButton *addStepButton(const QString &name, const QString &icon, const QString &tip);
     NarrationText *addText(const QString &name);
     void addRows();
     void showAnswers();
     const lessons::RecallQuestion &question() const { return m_lesson->recall.questions[m_number]; }
-    void applyTheme();
 
     RecallDesk &m_desk;
     const Theme &m_theme;

@@ -1,7 +1,7 @@
 #include "app/ui/learn/after/recall_page.h"
 
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/scroll_page.h"
 #include "app/ui/learn/step_button.h"
 
 #include <QHBoxLayout>
@@ -16,15 +16,12 @@ RecallPage::RecallPage(RecallDesk &desk, const Theme &theme, QWidget *parent)
 {
     layOutPage(*this, makeText(), makeButtons());
     connect(&desk, &RecallDesk::changed, this, &RecallPage::refresh);
-    connect(&theme, &Theme::changed, this, &RecallPage::refresh);
     refresh();
 }
 
 QWidget *RecallPage::makeText()
 {
-    auto *page = new QWidget;
-    page->setObjectName("panel");
-    page->setAttribute(Qt::WA_StyledBackground);
+    QWidget *page = makePage();
     auto *title = new QLabel(tr("Do it in the scene"), page);
     title->setObjectName("stepTitle");
     title->setWordWrap(true);
@@ -58,7 +55,6 @@ QWidget *RecallPage::makeButtons()
     m_back->setObjectName("backToQuestions");
     m_back->setFullText(tr("Back to the questions"), tr("Back"));
     m_back->setToolTip(tr("Back to the questions of the lesson. You can answer this one later."));
-    m_back->setFocusPolicy(Qt::TabFocus);
     auto *row = new QHBoxLayout(buttons);
     row->setContentsMargins(16, 8, 16, 14);
     row->addWidget(m_back, 1);

@@ -1,15 +1,14 @@
 #include "app/ui/learn/after/summary_page.h"
 
 #include "app/model/learning/prediction_text.h"
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/after/project_box.h"
 #include "app/ui/learn/after/recall_box.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
-#include "app/ui/learn/scroll_page.h"
-#include "app/ui/learn/step_button.h"
+#include "app/ui/learn/step_buttons.h"
 
 #include <QLabel>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
@@ -19,8 +18,6 @@
 namespace app {
 
 namespace {
-
-constexpr int summaryButtonHeight = 32;
 
 QString linkTo(const QString &text, const LessonSummary &summary, const StepSummary &step)
 {
@@ -37,16 +34,12 @@ SummaryPage::SummaryPage(Session &session, const Theme &theme, QWidget *parent)
     session.onChange(ChangeKind::texts, this, &SummaryPage::refresh);
     connect(&session.progress(), &Progress::changed, this, &SummaryPage::refresh);
     connect(&session.notes(), &Notes::changed, this, &SummaryPage::refresh);
-    connect(&theme, &Theme::changed, this, &SummaryPage::applyTheme);
     open();
-    applyTheme();
 }
 
 QWidget *SummaryPage::makeText()
 {
-    auto *page = new QWidget;
-    page->setObjectName("panel");
-    page->setAttribute(Qt::WA_StyledBackground);
+    QWidget *page = makePage();
     m_title = new QLabel(page);
     m_title->setObjectName("stepTitle");
     m_title->setWordWrap(true);
@@ -73,31 +66,17 @@ QWidget *SummaryPage::makeText()
 
 QWidget *SummaryPage::makeButtons()
 {
-    auto *buttons = new QWidget(this);
-    m_back = new QPushButton(buttons);
-    m_back->setObjectName("back");
-    m_back->setAccessibleName(tr("Back to the step"));
-    m_back->setToolTip(tr("Back to the step"));
-    m_back->setFixedSize(36, summaryButtonHeight);
-    m_next = new StepButton(buttons);
-    m_next->setObjectName("next");
-    for (QPushButton *button : {m_back, static_cast<QPushButton *>(m_next)}) {
-        button->setIconSize({16, 16});
-        button->setFocusPolicy(Qt::TabFocus);
-    }
-    auto *row = new QHBoxLayout(buttons);
-    row->setContentsMargins(16, 8, 16, 14);
-    row->setSpacing(8);
-    row->addWidget(m_back);
-    row->addWidget(m_next, 1);
-    connect(m_back, &QPushButton::clicked, this, &SummaryPage::closed);
-    connect(m_next, &QPushButton::clicked, this, [this] {
+    m_buttons = new StepButtons(m_theme, this);
+    m_buttons->back().setAccessibleName(tr("Back to the step"));
+    m_buttons->back().setToolTip(tr("Back to the step"));
+    connect(&m_buttons->back(), &QPushButton::clicked, this, &SummaryPage::closed);
+    connect(&m_buttons->next(), &QPushButton::clicked, this, [this] {
         const LessonSummary summary =
             summaryOf(m_session.lesson(), m_session.library(), m_session.progress());
         if (summary.next)
             m_session.openStep(summary.next->id, summary.next->steps.front().id);
     });
-    return buttons;
+    return m_buttons;
 }
 
 void SummaryPage::addRecall(RecallDesk &desk)
@@ -160,12 +139,14 @@ void SummaryPage::refresh()
     const LessonSummary summary = summaryOf(m_session.lesson(), m_session.library(), m_session.progress());
     m_title->setText(tr("%1: what you learnt").arg(summary.title));
     m_text->setText(textOf(summary));
-    m_next->setEnabled(summary.next);
+    StepButton &next = m_buttons->next();
+    next.setEnabled(summary.next);
+    next.setPrimary(summary.next);
     const QString last = tr("The last lesson");
-    m_next->setFullText(summary.next ? tr("Next: %1").arg(summary.next->title) : last,
-                        summary.next ? summary.next->title : last);
-    m_next->setToolTip(summary.next ? tr("Next: %1").arg(summary.next->title)
-                                    : tr("No lesson comes after this one."));
+    next.setFullText(summary.next ? tr("Next: %1").arg(summary.next->title) : last,
+                     summary.next ? summary.next->title : last);
+    next.setToolTip(summary.next ? tr("Next: %1").arg(summary.next->title)
+                                 : tr("No lesson comes after this one."));
     const bool canGiveBack = !m_forgotten.isEmpty();
     m_startOver->setText(canGiveBack ? tr("Restore the ticks") : tr("Restart this lesson"));
     m_startOver->setToolTip(canGiveBack ? tr("Ticks everything again that you had done before")
@@ -173,7 +154,6 @@ void SummaryPage::refresh()
     m_startOver->setEnabled(canGiveBack || summary.done > 0 || summary.written > 0 || summary.passed > 0);
     if (!m_startOver->isEnabled())
         m_startOver->setToolTip(tr("Nothing is ticked in this lesson yet."));
-    applyTheme();
 }
 
 void SummaryPage::startOver()
@@ -232,13 +212,6 @@ QStringList SummaryPage::predictionsOf(const QString &stepId) const
         }
     }
     return lines;
-}
-
-void SummaryPage::applyTheme()
-{
-    m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
-    m_next->setPrimary(m_next->isEnabled());
-    m_next->setIcon(m_next->isEnabled() ? m_theme.icon("right", m_theme.tokens().buttonText) : QIcon());
 }
 
 }

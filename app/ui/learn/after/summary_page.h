@@ -7,7 +7,6 @@
 #include <QWidget>
 
 class QLabel;
-class QPushButton;
 class QToolButton;
 
 namespace app {
@@ -17,7 +16,7 @@ class ProjectBox;
 class ProjectDesk;
 class RecallBox;
 class RecallDesk;
-class StepButton;
+class StepButtons;
 
 /// A page after the last step of a lesson: what the learner learnt, what is left to try, and what comes next.
 class SummaryPage : public QWidget
@@ -54,7 +53,6 @@ private:
     QString textOf(const LessonSummary &summary) const;
     /// Returns what the learner predicted in a step, and what came out, in Markdown.
     QStringList predictionsOf(const QString &stepId) const;
-    void applyTheme();
 
     Session &m_session;
     const Theme &m_theme;
@@ -64,8 +62,7 @@ private:
     RecallBox *m_recall = nullptr;
     ProjectBox *m_project = nullptr;
     QToolButton *m_startOver = nullptr;
-    QPushButton *m_back = nullptr;
-    StepButton *m_next = nullptr;
+    StepButtons *m_buttons = nullptr;
     QString m_lesson;        ///< the id of the lesson that is shown
     QStringList m_forgotten; ///< ticks that can be restored
     bool m_isStale = false;

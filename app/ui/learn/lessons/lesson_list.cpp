@@ -35,7 +35,6 @@ LessonList::LessonList(Session &session, const Theme &theme, QWidget *parent)
     connect(this, &QTreeView::clicked, this, &LessonList::openRow);
     session.onChange(ChangeKind::step, this, &LessonList::follow);
     connect(m_model, &QAbstractItemModel::modelReset, this, &LessonList::follow);
-    connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
     follow();
 }
 

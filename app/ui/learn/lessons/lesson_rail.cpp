@@ -1,6 +1,7 @@
 #include "app/ui/learn/lessons/lesson_rail.h"
 
 #include "app/ui/actions/command.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QStyle>
 #include <QToolButton>
@@ -24,9 +25,13 @@ QVBoxLayout *columnIn(QWidget *holder, int above, int below)
 
 LessonRail::LessonRail(const Theme &theme, QWidget *parent)
     : QObject(parent), m_theme(theme), m_head(new QWidget(parent)), m_foot(new QWidget(parent)),
-      m_unfold(button(QStringLiteral("unfold"), m_head)), m_back(button(QStringLiteral("railBack"), m_foot)),
-      m_next(button(QStringLiteral("railNext"), m_foot))
+      m_unfold(makeIconButton("unfold", "right", theme, m_head)),
+      m_back(makeIconButton("railBack", {}, theme, m_foot)),
+      m_next(makeIconButton("railNext", {}, theme, m_foot))
 {
+    for (QToolButton *button : {m_unfold, m_back, m_next})
+        button->setFixedSize(buttonSize, buttonSize);
+    showIcon(*m_back, "left", theme, &Tokens::ink);
     m_unfold->setAccessibleName(tr("Show the lessons with their texts"));
     setUnfoldKeys({});
     m_back->setAccessibleName(tr("Previous step"));
@@ -40,16 +45,6 @@ LessonRail::LessonRail(const Theme &theme, QWidget *parent)
     connect(m_next, &QToolButton::clicked, this, &LessonRail::nextRequested);
     connect(&theme, &Theme::changed, this, &LessonRail::applyTheme);
     applyTheme();
-}
-
-QToolButton *LessonRail::button(const QString &name, QWidget *holder)
-{
-    auto *made = new QToolButton(holder);
-    made->setObjectName(name);
-    made->setFixedSize(buttonSize, buttonSize);
-    made->setIconSize({16, 16});
-    made->setFocusPolicy(Qt::TabFocus);
-    return made;
 }
 
 void LessonRail::setVisible(bool visible)
@@ -79,8 +74,6 @@ void LessonRail::setDone(bool done)
 
 void LessonRail::applyTheme()
 {
-    m_unfold->setIcon(m_theme.icon("right"));
-    m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
     m_next->setIcon(m_theme.icon("right", m_isDone ? m_theme.tokens().buttonText : m_theme.tokens().ink));
     m_next->setProperty("primary", m_isDone);
     // A style sheet evaluates properties again only after a polish.

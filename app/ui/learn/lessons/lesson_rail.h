@@ -33,7 +33,6 @@ signals:
     void nextRequested();
 
 private:
-    QToolButton *button(const QString &name, QWidget *holder);
     void applyTheme();
 
     const Theme &m_theme;

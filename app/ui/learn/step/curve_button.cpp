@@ -26,7 +26,6 @@ CurveButton::CurveButton(int number, const Theme &theme, QWidget *parent)
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setToolTip(tr("Choose this curve (%1)").arg(number));
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     connect(this, &QAbstractButton::toggled, this, &CurveButton::describe);
     describe();
 }

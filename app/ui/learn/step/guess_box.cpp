@@ -13,10 +13,8 @@ GuessBox::GuessBox(const lessons::Choices &choices, const Theme &theme, QWidget 
       m_said(new NarrationText(theme, this, NarrationText::Kind::aside)), m_content(new QWidget(this))
 {
     setObjectName("guess");
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    m_content->setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_content->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_said->setObjectName("guessSaid");
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -8,12 +8,12 @@
 #include "app/ui/learn/step/prediction_box.h"
 #include "app/ui/learn/step/task_box.h"
 #include "app/ui/learn/step/try_box.h"
-#include "app/ui/learn/step_button.h"
+#include "app/ui/learn/step_buttons.h"
 #include "app/ui/learn/why_box.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -26,7 +26,6 @@ namespace app {
 namespace {
 
 constexpr int largeWindow = 1600; ///< px, the window width from which the type is larger
-constexpr int buttonHeight = 32;
 constexpr int titleHeight = 24;
 constexpr int headingHeight = 20;
 constexpr int belowText = 12;   ///< px above the tasks
@@ -67,9 +66,7 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
         if (!m_todoDue.isActive())
             m_todoDue.start();
     });
-    connect(&theme, &Theme::changed, this, &Narration::applyTheme);
     open();
-    applyTheme();
 }
 
 void Narration::makeText()
@@ -130,6 +127,8 @@ void Narration::makeTries()
     m_toTask = new PartLink(tr("Write it yourself"),
                             tr("Goes to a task in the listing, at the end of the text"), m_tryHead);
     m_toTask->setObjectName("toTask");
+    for (PartLink *link : {m_toPredictions, m_toTask})
+        showIcon(*link, "right", m_theme);
     connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerLinks);
     connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerLinks);
     connect(m_toPredictions, &QToolButton::clicked, this, &Narration::goToPrediction);
@@ -144,25 +143,10 @@ void Narration::makeTries()
 
 void Narration::makeButtons()
 {
-    m_buttons = new QWidget(this);
-    m_back = new QPushButton(m_buttons);
-    m_back->setObjectName("back");
-    m_back->setAutoDefault(false);
-    m_back->setAccessibleName(tr("Previous step"));
-    m_back->setFixedSize(36, buttonHeight);
-    m_next = new StepButton(m_buttons);
-    m_next->setObjectName("next");
-    for (QPushButton *button : {m_back, static_cast<QPushButton *>(m_next)}) {
-        button->setIconSize({16, 16});
-        button->setFocusPolicy(Qt::TabFocus);
-    }
-    auto *row = new QHBoxLayout(m_buttons);
-    row->setContentsMargins(16, 8, 16, 14);
-    row->setSpacing(8);
-    row->addWidget(m_back);
-    row->addWidget(m_next, 1);
-    connect(m_back, &QPushButton::clicked, &m_session, &Session::openPreceding);
-    connect(m_next, &QPushButton::clicked, this, &Narration::goOn);
+    m_buttons = new StepButtons(m_theme, this);
+    m_buttons->back().setAccessibleName(tr("Previous step"));
+    connect(&m_buttons->back(), &QPushButton::clicked, &m_session, &Session::openPreceding);
+    connect(&m_buttons->next(), &QPushButton::clicked, this, &Narration::goOn);
 }
 
 void Narration::open()
@@ -381,14 +365,14 @@ void Narration::setStepKeys(const QKeySequence &back, const QKeySequence &next)
 void Narration::nameButtons()
 {
     const lessons::Step *before = m_session.preceding();
-    m_back->setEnabled(before);
-    m_back->setToolTip(before ? withKeys(tr("Back: %1").arg(before->title), m_backKeys)
-                              : tr("This is the first step."));
+    m_buttons->back().setEnabled(before);
+    m_buttons->back().setToolTip(before ? withKeys(tr("Back: %1").arg(before->title), m_backKeys)
+                                        : tr("This is the first step."));
     const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
     const QString next = isLast ? tr("What you learnt") : m_session.following()->title;
-    m_next->setFullText(tr("Next: %1").arg(next), next);
-    m_next->setToolTip(isLast ? tr("What you learnt in this lesson, and what comes next")
-                              : withKeys(tr("Next: %1").arg(next), m_nextKeys));
+    m_buttons->next().setFullText(tr("Next: %1").arg(next), next);
+    m_buttons->next().setToolTip(isLast ? tr("What you learnt in this lesson, and what comes next")
+                                        : withKeys(tr("Next: %1").arg(next), m_nextKeys));
 }
 
 void Narration::goOn()
@@ -424,16 +408,6 @@ void Narration::showNextHint()
     }
 }
 
-QString Narration::backTip() const
-{
-    return m_back->toolTip();
-}
-
-QString Narration::nextTip() const
-{
-    return m_next->toolTip();
-}
-
 void Narration::fitText()
 {
     if (m_hasSize)
@@ -450,9 +424,7 @@ void Narration::showProgress()
         if (isNew && m_tries[i]->isDone() && m_isOpen)
             showAnswerOf(i);
     }
-    const bool done = m_session.isStepDone(m_session.lesson(), m_session.step());
-    m_next->setPrimary(done);
-    m_next->setIcon(m_theme.icon("right", done ? m_theme.tokens().buttonText : m_theme.tokens().ink));
+    m_buttons->next().setPrimary(m_session.isStepDone(m_session.lesson(), m_session.step()));
 }
 
 void Narration::showAnswerOf(std::size_t number)
@@ -475,14 +447,6 @@ void Narration::showTodos()
         else
             emit heightChanged();
     }
-}
-
-void Narration::applyTheme()
-{
-    m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
-    for (PartLink *link : {m_toPredictions, m_toTask})
-        link->setIcon(m_theme.icon("right", m_theme.tokens().ink2));
-    showProgress();
 }
 
 QSize Narration::minimumSizeHint() const

@@ -15,7 +15,6 @@
 
 class QGridLayout;
 class QLabel;
-class QPushButton;
 class QVBoxLayout;
 
 namespace app {
@@ -24,7 +23,7 @@ class NarrationText;
 class Glossary;
 class PartLink;
 class PredictionBox;
-class StepButton;
+class StepButtons;
 class TaskBox;
 class TryBox;
 class WhyBox;
@@ -43,9 +42,8 @@ public:
     void setStepKeys(const QKeySequence &back, const QKeySequence &next);
     /// Shows the next hint: that of the first unfinished task whose hint is still hidden.
     void showNextHint();
-    /// Returns the tooltip of a button below the text, for other buttons that do the same.
-    QString backTip() const;
-    QString nextTip() const;
+    /// Returns the buttons below the text.
+    const StepButtons &buttons() const { return *m_buttons; }
     /// Returns whether the learner writes a task of the open step, whose hints and judgement are here.
     bool isWriting() const { return m_desk.task(); }
     /// Returns the predictions of the open step.
@@ -106,7 +104,6 @@ private:
     /// Shows the answer of the task that was just done, and hides earlier answers.
     void showAnswerOf(std::size_t number);
     void showTodos();
-    void applyTheme();
 
     Session &m_session;
     const Theme &m_theme;
@@ -115,7 +112,7 @@ private:
     NarrationText *m_text = nullptr;
     QWidget *m_tryHead = nullptr; ///< the heading of the things to try
     QWidget *m_tryPage = nullptr;
-    QWidget *m_buttons = nullptr;
+    StepButtons *m_buttons = nullptr;
     QKeySequence m_backKeys;
     QKeySequence m_nextKeys;
     QLabel *m_heading = nullptr;
@@ -138,8 +135,6 @@ private:
     bool m_hasSize = false; ///< once the layout has given it one
     bool m_isOpen = false;  ///< false while a step opens: ticks from before do not show answers
     QSet<QString> m_hints;  ///< shown hints, by step and number, until the program ends
-    QPushButton *m_back = nullptr;
-    StepButton *m_next = nullptr;
 };
 
 }

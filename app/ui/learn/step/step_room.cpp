@@ -1,6 +1,7 @@
 #include "app/ui/learn/step/step_room.h"
 
-#include "app/ui/learn/scroll_page.h"
+#include "app/ui/dock/divider.h"
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/view_keeper.h"
 
 #include <QCoreApplication>
@@ -33,9 +34,7 @@ void afterLayout(const QWidget *box, Scroll scroll)
 StepRoom::StepRoom(QWidget &panel)
     : m_panel(panel), m_area(makeScrollArea(panel)), m_keeper(new ViewKeeper(*m_area))
 {
-    auto *page = new QWidget;
-    page->setObjectName("panel");
-    page->setAttribute(Qt::WA_StyledBackground);
+    QWidget *page = makePage();
     // The height of the text depends on its width, so the height at the minimum width must be ignored.
     page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
     m_scrolled = new QVBoxLayout(page);
@@ -65,10 +64,7 @@ void StepRoom::addBelow(QWidget *heading, QWidget *tries, QWidget *buttons)
     m_tryArea->setWidget(tries);
     for (QWidget *clear : {m_tryArea->viewport(), tries})
         clear->setAutoFillBackground(false); // the panel behind them has the colour
-    auto *line = new QFrame(&m_panel);
-    line->setObjectName("divider");
-    line->setFixedHeight(separatorHeight);
-    m_column->addWidget(line);
+    m_column->addWidget(divider(&m_panel));
     m_column->addWidget(heading);
     m_column->addWidget(m_tryArea);
     m_column->addStretch(1);

@@ -4,6 +4,7 @@
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/step/guess_box.h"
 #include "app/ui/learn/step/try_row.h"
+#include "app/ui/theme/icon_button.h"
 
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,9 +23,7 @@ constexpr int hintLeft = 25;         ///< px from the row’s left: aligned with
 TryBox::TryBox(const lessons::Try &what, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_theme(theme), m_row(new TryRow(what.text, theme, this))
 {
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(left, 0, 0, 0);
     column->setSpacing(0);
@@ -39,12 +38,12 @@ TryBox::TryBox(const lessons::Try &what, const Theme &theme, QWidget *parent)
         return;
     m_button = new QToolButton(this);
     m_button->setObjectName("hint");
+    showIcon(*m_button, "hint", theme);
     m_button->setCheckable(true);
     m_button->setIconSize({14, 14});
     m_button->setGeometry(QRect(buttonPlace, hintButtonSize));
     m_button->setFocusPolicy(Qt::TabFocus);
     connect(m_button, &QToolButton::clicked, this, &TryBox::press);
-    connect(&theme, &Theme::changed, this, &TryBox::applyTheme);
     setDone(false);
 }
 
@@ -91,10 +90,9 @@ void TryBox::press(bool shown)
     }
 }
 
-void TryBox::applyTheme()
+void TryBox::describeButton()
 {
     const bool shown = m_button->isChecked();
-    m_button->setIcon(m_theme.icon("hint"));
     if (isDone())
         m_button->setToolTip(shown ? tr("Hide the answer") : tr("Show the answer"));
     else
@@ -121,7 +119,7 @@ void TryBox::setDone(bool done)
     m_button->setChecked(asked && !asked->isHidden());
     m_button->setVisible(hasMore);
     m_row->setMinimumHeight(hasMore ? leastHeight : 0);
-    applyTheme();
+    describeButton();
 }
 
 bool TryBox::isDone() const
@@ -149,7 +147,7 @@ void TryBox::showAnswer(bool shown)
     m_answer->setVisible(shown);
     if (isDone())
         m_button->setChecked(shown);
-    applyTheme();
+    describeButton();
 }
 
 bool TryBox::hasHint() const
@@ -169,7 +167,7 @@ void TryBox::showHint(bool shown)
     m_hint->setVisible(shown);
     if (!isDone())
         m_button->setChecked(shown);
-    applyTheme();
+    describeButton();
 }
 
 }

@@ -52,7 +52,7 @@ private:
     NarrationText *addText(const QString &name, const QString &text);
     void addGuess(const lessons::Choices &choices);
     void press(bool shown);
-    void applyTheme();
+    void describeButton();
 
     const Theme &m_theme;
     TryRow *m_row;

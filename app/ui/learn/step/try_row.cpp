@@ -20,9 +20,7 @@ TryRow::TryRow(const QString &text, const Theme &theme, QWidget *parent)
     : QCheckBox(parent), m_theme(theme), m_text(text)
 {
     setFocusPolicy(Qt::NoFocus); // the learner cannot operate it
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     setToolTip(tr("Springstep ticks this when it sees you do it."));
     connect(&theme, &Theme::changed, this, &TryRow::applyTheme);
     applyTheme();

@@ -68,10 +68,7 @@ GlossaryPage::GlossaryPage(const Glossary &glossary, const Theme &theme, QWidget
 void GlossaryPage::search(const QString &typed)
 {
     m_search->setText(typed);
-    placeOverParent(*this);
-    show();
-    raise();
-    activateWindow();
+    showInFront(*this);
     m_search->setFocus();
     m_search->selectAll();
 }

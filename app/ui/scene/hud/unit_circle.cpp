@@ -84,7 +84,6 @@ UnitCircle::UnitCircle(SceneView &scene, const Theme &theme) : QWidget(&scene), 
     hide();
     connect(&scene, &SceneView::contentChanged, this, &UnitCircle::follow);
     connect(&scene, &SceneView::zoomChanged, this, &UnitCircle::place);
-    connect(&theme, &Theme::changed, this, &UnitCircle::applyTheme);
     scene.installEventFilter(this);
     follow();
 }
@@ -102,12 +101,6 @@ void UnitCircle::follow()
         update();
     }
     place();
-}
-
-void UnitCircle::applyTheme()
-{
-    place();
-    update();
 }
 
 QStringList UnitCircle::lines() const

@@ -36,7 +36,6 @@ private:
     enum class Corner { topRight, topLeft, bottomRight, bottomLeft };
 
     void follow();
-    void applyTheme();
     /// Goes to another corner if it covers something here and less there.
     void place();
     QRect boxAt(Corner corner) const;

@@ -1,4 +1,4 @@
-#include "app/ui/learn/scroll_page.h"
+#include "app/ui/dock/scroll_page.h"
 
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -13,6 +13,14 @@ QScrollArea *makeScrollArea(QWidget &panel)
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setFocusPolicy(Qt::NoFocus);
     return area;
+}
+
+QWidget *makePage()
+{
+    auto *page = new QWidget;
+    page->setObjectName("panel");
+    page->setAttribute(Qt::WA_StyledBackground);
+    return page;
 }
 
 void layOutPage(QWidget &panel, QWidget *text, QWidget *buttons)
