@@ -221,6 +221,10 @@
         <translation>Der Versuch „%1“ fehlt. Schreib „## Try {#%1}“ und seinen Text.</translation>
     </message>
     <message>
+        <source>the listing has no gap “%1”. In %2, put the lines that learners write between “//&gt; %1” and “//&lt;”.</source>
+        <translation>Das Listing hat keine Lücke „%1“. Setz in %2 die Zeilen, die Lernende schreiben, zwischen „//&gt; %1“ und „//&lt;“.</translation>
+    </message>
+    <message>
         <source>the listing has no gap “%1”. Use one of: %2.</source>
         <translation>Das Listing hat keine Lücke „%1“. Verwende eine von: %2.</translation>
     </message>

@@ -221,6 +221,10 @@
         <translation>falta la prueba «%1». Escribe «## Try {#%1}» y su texto.</translation>
     </message>
     <message>
+        <source>the listing has no gap “%1”. In %2, put the lines that learners write between “//&gt; %1” and “//&lt;”.</source>
+        <translation>el listado no tiene ningún hueco «%1». En %2, pon entre «//&gt; %1» y «//&lt;» las líneas que se escriben.</translation>
+    </message>
+    <message>
         <source>the listing has no gap “%1”. Use one of: %2.</source>
         <translation>el listado no tiene ningún hueco «%1». Usa uno de estos: %2.</translation>
     </message>

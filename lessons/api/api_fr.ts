@@ -221,6 +221,10 @@
         <translation>l’essai «&#x202f;%1&#x202f;» manque. Écris «&#x202f;## Try {#%1}&#x202f;» et son texte.</translation>
     </message>
     <message>
+        <source>the listing has no gap “%1”. In %2, put the lines that learners write between “//&gt; %1” and “//&lt;”.</source>
+        <translation>le listing n’a pas de lacune «&#x202f;%1&#x202f;». Dans %2, mets entre «&#x202f;//&gt; %1&#x202f;» et «&#x202f;//&lt;&#x202f;» les lignes à écrire.</translation>
+    </message>
+    <message>
         <source>the listing has no gap “%1”. Use one of: %2.</source>
         <translation>le listing n’a pas de lacune «&#x202f;%1&#x202f;». Utilise l’une de celles-ci&#xa0;: %2.</translation>
     </message>

@@ -340,6 +340,7 @@ private slots:
     void aMistakeIsNamedWithItsRemedy_data();
     void aMistakeIsNamedWithItsRemedy();
     void aMistakeLeavesTheStepAsItWas();
+    void aListingWithoutAGapIsToldHowToHaveOne();
     void conditionsGetTheirSentences();
 };
 
@@ -435,6 +436,21 @@ void BrokenDocumentsTest::aMistakeLeavesTheStepAsItWas()
                              step.setTexts(lessons::parseDocument(other, documentName)));
     QCOMPARE(step.title, QString("A foot"));
     QCOMPARE(step.tries[0].id, QString("pull"));
+}
+
+void BrokenDocumentsTest::aListingWithoutAGapIsToldHowToHaveOne()
+{
+    lessons::Step step = goodStep();
+    step.listing = {};
+    QString why;
+    try {
+        step.setTexts(lessons::parseDocument(goodDocument, "foot.md"));
+    } catch (const lessons::DocumentError &error) {
+        why = QString::fromUtf8(error.what());
+    }
+    const QString remedy = "the listing has no gap “pull”. In foot.code, put the lines that learners write "
+                           "between “//> pull” and “//<”.";
+    QVERIFY2(why.endsWith(remedy), qPrintable(why));
 }
 
 void BrokenDocumentsTest::conditionsGetTheirSentences()

@@ -1,6 +1,7 @@
 #include "lessons/api/text/join.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -114,10 +115,16 @@ void checkGaps(const Document &document, const Listing &listing)
                 gaps << miss.gap;
         }
         for (const QString &gap : gaps) {
-            if (!listing.gap(gap))
-                throw DocumentError(document.file, document.taskLines[i],
-                                    JoinText::tr("the listing has no gap “%1”. Use one of: %2.")
-                                        .arg(gap, idsOf(listing.gaps)));
+            if (listing.gap(gap))
+                continue;
+            const QString code = QFileInfo(document.file).baseName() + QStringLiteral(".code");
+            throw DocumentError(document.file, document.taskLines[i],
+                                listing.gaps.empty()
+                                    ? JoinText::tr("the listing has no gap “%1”. In %2, put the lines that "
+                                                   "learners write between “//> %1” and “//<”.")
+                                          .arg(gap, code)
+                                    : JoinText::tr("the listing has no gap “%1”. Use one of: %2.")
+                                          .arg(gap, idsOf(listing.gaps)));
         }
     }
 }
