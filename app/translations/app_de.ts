@@ -6064,7 +6064,7 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>%1 hat ein Passwort. Mach ein Zip ohne Passwort.</translation>
     </message>
     <message>
-        <source>%1 is packed in a way that this program cannot read. Make a usual zip.</source>
+        <source>%1 is compressed by a method that this program cannot read. Save it as an ordinary zip file.</source>
         <translation>%1 ist auf eine Art gepackt, die dieses Programm nicht lesen kann. Mach ein gewöhnliches Zip.</translation>
     </message>
     <message>
@@ -6080,7 +6080,7 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>%1 ist größer, als das Zip sagt. Dieses Zip ist nicht sicher; nichts wurde gelesen.</translation>
     </message>
     <message>
-        <source>%1 is packed as ZIP64, which is for very large files. Make a usual zip.</source>
+        <source>%1 is packed as ZIP64, which is for very large files. Save it as an ordinary zip file.</source>
         <translation>%1 ist als ZIP64 gepackt, das für sehr große Dateien ist. Mach ein gewöhnliches Zip.</translation>
     </message>
 </context>

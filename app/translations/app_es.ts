@@ -6064,7 +6064,7 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>%1 tiene contraseña. Haz un zip sin ella.</translation>
     </message>
     <message>
-        <source>%1 is packed in a way that this program cannot read. Make a usual zip.</source>
+        <source>%1 is compressed by a method that this program cannot read. Save it as an ordinary zip file.</source>
         <translation>%1 está comprimido de una forma que este programa no puede leer. Haz un zip normal.</translation>
     </message>
     <message>
@@ -6080,7 +6080,7 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>%1 es más grande de lo que dice el zip. Este zip no es seguro; no se ha leído nada.</translation>
     </message>
     <message>
-        <source>%1 is packed as ZIP64, which is for very large files. Make a usual zip.</source>
+        <source>%1 is packed as ZIP64, which is for very large files. Save it as an ordinary zip file.</source>
         <translation>%1 está comprimido como ZIP64, que es para archivos muy grandes. Haz un zip normal.</translation>
     </message>
 </context>

@@ -6064,7 +6064,7 @@ Un mot que le texte utilise, en une phrase.
         <translation>%1 a un mot de passe. Fais un zip sans mot de passe.</translation>
     </message>
     <message>
-        <source>%1 is packed in a way that this program cannot read. Make a usual zip.</source>
+        <source>%1 is compressed by a method that this program cannot read. Save it as an ordinary zip file.</source>
         <translation>%1 est compressé d’une façon que ce programme ne sait pas lire. Fais un zip ordinaire.</translation>
     </message>
     <message>
@@ -6080,7 +6080,7 @@ Un mot que le texte utilise, en une phrase.
         <translation>%1 est plus gros que ce que dit le zip. Ce zip n’est pas sûr&#x202f;; rien n’a été lu.</translation>
     </message>
     <message>
-        <source>%1 is packed as ZIP64, which is for very large files. Make a usual zip.</source>
+        <source>%1 is packed as ZIP64, which is for very large files. Save it as an ordinary zip file.</source>
         <translation>%1 est compressé en ZIP64, un format pour de très gros fichiers. Fais un zip ordinaire.</translation>
     </message>
 </context>

@@ -48,8 +48,8 @@ private slots:
                     << lesson << attempt;
         }
     }
-    /// A thing to try is not done at the start, and is done at the end. Once it has begun, it always has a hint about
-    /// what is missing. A near miss does not complete it and gets the expected hint.
+    /// A thing to try is not done at the start, and is done at the end. Once it has begun, a hint always names
+    /// the missing part. A near miss does not complete it and gets the expected hint.
     void thingsToTryRecogniseAttempts()
     {
         QFETCH(QString, lesson);

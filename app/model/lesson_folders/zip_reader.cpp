@@ -169,10 +169,12 @@ private:
         if (entry.flags & isEncrypted)
             m_bytes.refuse(tr("%1 has a password. Make a zip without one.").arg(quoted(path)));
         if (entry.method != stored && entry.method != deflated)
-            m_bytes.refuse(tr("%1 is packed in a way that this program cannot read. Make a usual zip.")
+            m_bytes.refuse(tr("%1 is compressed by a method that this program cannot read. "
+                              "Save it as an ordinary zip file.")
                                .arg(quoted(path)));
         if (entry.size == elsewhere || entry.packed == elsewhere || entry.local == elsewhere)
-            m_bytes.refuse(tr("%1 is packed as ZIP64, which is for very large files. Make a usual zip.")
+            m_bytes.refuse(tr("%1 is packed as ZIP64, which is for very large files. "
+                              "Save it as an ordinary zip file.")
                                .arg(quoted(path)));
         if (entry.size > m_limits.file)
             m_bytes.refuse(tr("%1 is larger than %2 MiB.").arg(quoted(path)).arg(m_limits.file >> 20));

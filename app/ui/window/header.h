@@ -25,7 +25,7 @@ public:
 private:
     void drawLogo(QLabel &logo);
     void addButton(QHBoxLayout &row, Command &command);
-    /// Lets the menus shrink in a narrow window, down to a button for those that do not fit.
+    /// Allows the menus to shrink in a narrow window. A button then opens those that do not fit.
     void letGiveWay(QMenuBar &menus);
     /// Returns the buttons that choose a mode.
     QWidget *modeSwitch(const Commands &commands);

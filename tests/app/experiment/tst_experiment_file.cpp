@@ -83,7 +83,7 @@ private slots:
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("tolerance");
         QTest::newRow("fixed steps") << "rk4" << 0.0;
-        QTest::newRow("steps of its own") << "dop853" << 1e-3;
+        QTest::newRow("a method that adapts its steps") << "dop853" << 1e-3;
     }
     void aMethodWithoutAStepGetsOneThatFits()
     {

@@ -200,7 +200,7 @@ void TaskBoxTest::theCommentOfATaskIsInSight()
 {
     listing_window::ListingFixture shown("swaying_tree", "towards_pointer");
     const lessons::CodeTask &task = shown.session.step().codeTasks.front();
-    QTest::keyClick(&shown.editor, Qt::Key_End, Qt::ControlModifier); // the task is above what is in view
+    QTest::keyClick(&shown.editor, Qt::Key_End, Qt::ControlModifier); // scrolls the task out of view
     settle();
     TaskBox &box = *shown.part<Narration>().findChildren<TaskBox *>().front();
     QTest::mouseClick(box.findChild<WhyButton *>(), Qt::LeftButton);

@@ -316,7 +316,7 @@ private slots:
         QTest::newRow("a link") << patched(good, table + 38, QByteArray("\0\0\xff\xa1", 4)) << "is a link";
         QTest::newRow("a password") << patched(good, table + 8, QByteArray(1, '\1')) << "has a password";
         QTest::newRow("another packing")
-            << patched(good, table + 10, QByteArray(1, '\14')) << "packed in a way";
+            << patched(good, table + 10, QByteArray(1, '\14')) << "compressed by a method";
         QTest::newRow("a name twice") << QByteArray(good).replace("zz.md", "aa.md") << "is there twice";
         QTest::newRow("a name that is not UTF-8")
             << QByteArray(good).replace("zz.md", "z\xff.md") << "not UTF-8";

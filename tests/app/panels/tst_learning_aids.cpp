@@ -1,4 +1,4 @@
-// Hints, what is still to do, answers and why-boxes, asked for with mouse and keyboard.
+// Hints, remaining work, answers and why-boxes, opened with mouse and keyboard.
 
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/narration_text.h"

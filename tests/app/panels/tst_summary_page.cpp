@@ -84,7 +84,7 @@ void SummaryPageTest::goingOnAfterTheLastStepShowsTheSummaryFirst()
     QCOMPARE(session.lesson().id, QString("two"));
     fixture.panel.goBack();
     QCOMPARE(session.lesson().id, QString("one"));
-    fixture.panel.hide(); // nobody would see the summary
+    fixture.panel.hide(); // so the summary cannot be seen
     fixture.panel.goOn();
     QCOMPARE(session.lesson().id, QString("two"));
 }

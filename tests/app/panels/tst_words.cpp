@@ -24,7 +24,7 @@ LessonLibrary lessonsWithWords()
     LessonLibrary library = twoLessons();
     lessons::Step &first = library.lessons[0].steps[0];
     first.narration = "A **spring** pulls the foot. It is a spring.";
-    first.explanation.terms = {{"Spring", "spring|springs", "It pulls together what is too far apart."}};
+    first.explanation.terms = {{"Spring", "spring|springs", "It pulls two bodies together."}};
     library.lessons[1].steps[0].explanation.terms = {{"Damping", "damping", "A share that is kept."}};
     return library;
 }

@@ -8,7 +8,7 @@ namespace tests {
 /// the step "many", with seven parameters, among them a choice ("formula") and a count ("feet").
 app::LessonLibrary twoLessons();
 
-/// Returns the step as "puppet": the same scene, whose points have no velocities of their own.
+/// Returns the step as "puppet": the same scene, whose points store no velocities.
 lessons::Step puppetOf(lessons::Step step);
 
 }
