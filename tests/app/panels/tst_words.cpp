@@ -101,7 +101,7 @@ void WordCardTest::aWordOpensACard()
     }
     QVERIFY(fixture.card().isVisible());
     QCOMPARE(fixture.card().accessibleName(), QString("Spring"));
-    QVERIFY(fixture.card().findChild<NarrationText *>()->toPlainText().contains("too far apart"));
+    QVERIFY(fixture.card().findChild<NarrationText *>()->toPlainText().contains("pulls two bodies together"));
     QCOMPARE(fixture.session.step().id, QString("first")); // the lesson is not left
     QTest::keyClick(&fixture.card(), Qt::Key_Escape);
     QVERIFY(!fixture.card().isVisible());
