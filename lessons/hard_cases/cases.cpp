@@ -141,7 +141,7 @@ const std::vector<sim::HardCase> &shownCases()
     static const std::vector<sim::HardCase> shown = [] {
         std::vector<sim::HardCase> all = sim::hardCases();
         std::erase_if(
-            all, [](const sim::HardCase &hard) { return hard.hasRequirement(sim::Requirement::refused); });
+            all, [](const sim::HardCase &hard) { return hard.hasRequirement(sim::Requirement::rejected); });
         for (sim::HardCase &hard : all) {
             if (hard.script.values.has("levels"))
                 hard.script.values.set("levels", std::min(hard.script.values["levels"], maxLevels));

@@ -1,6 +1,7 @@
 #include "sim/catalogue/claims.h"
 
 #include "sim/analysis/accuracy/study_run.h"
+#include "sim/catalogue/number_text.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/body_spring.h"
 #include "sim/methods/adaptive/adaptive_stepper.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace sim {
 
@@ -23,14 +23,6 @@ constexpr double stepsPerBounce = 4.0;
 /// The errors of adaptive steps keep a resting scene in motion. The amplitude is up to this many tolerances,
 /// because the errors of several steps add up.
 constexpr double restDisturbance = 10.0;
-
-std::string text(double value)
-{
-    std::ostringstream stream;
-    stream.precision(3);
-    stream << value;
-    return stream.str();
-}
 
 /// Returns a claim that is not made, with the reason `id`.
 Claim declined(const char *id, const Method &method, std::map<std::string, std::string> values)
@@ -112,17 +104,17 @@ Claim claimByTolerance(const HardCase &hardCase, const Method &method, const Run
         StepBudget::maxTries(hardCase.script.build(hardCase.script.values).start.pointCount());
     if (steps > maxBudgetShare * static_cast<double>(budget))
         return declined("claim-too-many-steps", method,
-                        {{"steps", text(steps)}, {"most", std::to_string(budget)}});
+                        {{"steps", numberText(steps)}, {"most", std::to_string(budget)}});
     // Without damping, the errors of all steps add up.
     const double accumulatedError = static_cast<double>(size.frames) * size.tolerance;
     if (stiffest.damp == 1.0 && accumulatedError > hardCase.bound.reach - stiffest.stretch)
         return declined("claim-adds-up", method,
-                        {{"frames", std::to_string(size.frames)}, {"off", text(accumulatedError)}});
+                        {{"frames", std::to_string(size.frames)}, {"off", numberText(accumulatedError)}});
     const Rest *rest = hardCase.hasRequirement(Requirement::comesToRest) ? hardCase.restAfter(size) : nullptr;
     const double disturbance = restDisturbance * size.tolerance * std::max(1.0, angularFrequency(stiffest));
     if (rest && (disturbance > rest->speed || disturbance > smallestTolerance(*rest)))
         return declined("claim-stirs", method,
-                        {{"tolerance", text(size.tolerance)}, {"stirred", text(disturbance)}});
+                        {{"tolerance", numberText(size.tolerance)}, {"stirred", numberText(disturbance)}});
     return {true, {}};
 }
 
@@ -132,10 +124,10 @@ Claim claimByStep(const HardCase &hardCase, const MethodPtr &method, const RunSi
     const StiffestSpring &stiffest = *hardCase.stiffest;
     const auto steps = static_cast<std::int64_t>(std::llround(static_cast<double>(size.frames) / size.h));
     const Prediction prediction = predictOscillation(stiffest, method, size.h, steps, hardCase.bound.reach);
-    const std::map<std::string, std::string> numbers = {{"k", text(stiffest.k)},
-                                                        {"apart", text(stiffest.stretch)},
-                                                        {"h", text(size.h)},
-                                                        {"left", text(prediction.left)},
+    const std::map<std::string, std::string> numbers = {{"k", numberText(stiffest.k)},
+                                                        {"apart", numberText(stiffest.stretch)},
+                                                        {"h", numberText(size.h)},
+                                                        {"left", numberText(prediction.left)},
                                                         {"frames", std::to_string(size.frames)}};
     if (!(prediction.most <= hardCase.bound.reach))
         return declined("claim-grows", *method, numbers);
@@ -166,7 +158,7 @@ Prediction predictOscillation(const StiffestSpring &stiffest, const MethodPtr &m
 
 Claim claimOf(const HardCase &hardCase, const MethodPtr &method, const RunSize &size)
 {
-    if (hardCase.hasRequirement(Requirement::refused))
+    if (hardCase.hasRequirement(Requirement::rejected))
         return {true, {}}; // the scene is rejected before the method computes anything
     if (const std::optional<Error> error = composeError(scriptOf(hardCase, method, size)))
         return {false, error};
@@ -177,7 +169,7 @@ Claim claimOf(const HardCase &hardCase, const MethodPtr &method, const RunSize &
         return declined("claim-no-room", *method, {});
     if (hardCase.stickError && size.h > hardCase.brief.h && !byTolerance)
         return declined("claim-longer-step", *method,
-                        {{"h", text(size.h)}, {"most", text(hardCase.brief.h)}});
+                        {{"h", numberText(size.h)}, {"most", numberText(hardCase.brief.h)}});
     if (!hardCase.stiffest)
         return {true, {}};
     return byTolerance ? claimByTolerance(hardCase, *method, size) : claimByStep(hardCase, method, size);

@@ -24,7 +24,7 @@ enum class Requirement {
     manyPoints,     ///< thousands of points
     longRun,        ///< millions of frames
     unusualStep,    ///< a step that is not one frame long
-    refused,        ///< the run must be rejected with a user error
+    rejected,       ///< the run must be rejected with a user error
     overflows,      ///< a number becomes infinite; the run must end there with the failure cause
 };
 
@@ -110,7 +110,7 @@ struct HardCase
     std::optional<Rest> rest; ///< empty if no particular rest is required
     /// px, maximum error of a stick's length in steps as long as those of `brief`; empty: no limit.
     std::optional<double> stickError;
-    std::string refusal; ///< id of the expected Error, for Requirement::refused
+    std::string expectedError; ///< id of the expected Error, for Requirement::rejected
 
     bool hasRequirement(Requirement requirement) const;
     /// Returns the rest that a run of this size must reach; null if none.

@@ -2,22 +2,14 @@
 
 #include "sim/analysis/accuracy/study_run.h"
 #include "sim/analysis/stability/remedies/stick_fit.h"
+#include "sim/catalogue/number_text.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace sim {
 
 namespace {
-
-std::string numberText(double value)
-{
-    std::ostringstream stream;
-    stream.precision(3);
-    stream << value;
-    return stream.str();
-}
 
 const std::string &nameOf(const Scene &scene, int point)
 {
@@ -204,12 +196,12 @@ void repeatedRun(const Script &script, const State &end, ProgressReporter &repor
 }
 
 /// Passes if the script is rejected with the expected error.
-void judgeRefusal(const HardCase &hardCase, const Script &script, Verdict &verdict)
+void judgeRejection(const HardCase &hardCase, const Script &script, Verdict &verdict)
 {
-    const std::optional<Error> refusal = composeError(script);
-    verdict.holds = refusal && refusal->id() == hardCase.refusal;
+    const std::optional<Error> error = composeError(script);
+    verdict.holds = error && error->id() == hardCase.expectedError;
     if (!verdict.holds)
-        verdict.why = refusal ? *refusal : Error("hard-not-refused", {});
+        verdict.why = error ? *error : Error("hard-not-refused", {});
 }
 
 /// Passes if the run ended because of a number that is not finite, and the failure names a body.
@@ -243,8 +235,8 @@ Verdict judge(const HardCase &hardCase, const MethodPtr &method, const RunSize &
     Verdict verdict;
     verdict.claim = claimOf(hardCase, method, size);
     const Script script = scriptOf(hardCase, method, size);
-    if (hardCase.hasRequirement(Requirement::refused)) {
-        judgeRefusal(hardCase, script, verdict);
+    if (hardCase.hasRequirement(Requirement::rejected)) {
+        judgeRejection(hardCase, script, verdict);
         return verdict;
     }
     if (const std::optional<Error> error = composeError(script)) {

@@ -34,7 +34,7 @@ using JudgeProgress = std::function<bool(double)>;
 
 /// Runs `hardCase` under `method` twice. The case passes if all output steps are finite and within the
 /// bounds, the run ends at the required rest, and both runs give the same bits.
-/// For Requirement::refused and Requirement::overflows it passes if the run is rejected, or ends, as
+/// For Requirement::rejected and Requirement::overflows it passes if the run is rejected, or ends, as
 /// required.
 Verdict judge(const HardCase &hardCase, const MethodPtr &method, const RunSize &size,
               const JudgeProgress &progress = {});

@@ -64,13 +64,8 @@ std::vector<std::shared_ptr<const Type>> effectsOn(const Scene &scene, const std
 
 bool hasRates(const Drag &drag, const std::vector<PointRange> &ranges)
 {
-    for (const PointRange &range : ranges) {
-        for (int i = range.first; i < range.end(); ++i) {
-            if (!drag.dampingRate(i))
-                return false;
-        }
-    }
-    return true;
+    return std::all_of(ranges.begin(), ranges.end(),
+                       [&](PointRange range) { return hasDampingRate(drag, range); });
 }
 
 /// Copies numbers in a loop, which is faster for a few numbers than a call of memcpy. See sim/CMakeLists.txt.
@@ -95,6 +90,15 @@ void copy(const double *row, int distance, Eigen::ArrayX2d &columns, PointRange 
     copy(row + distance, range.count, &columns(range.first, 1));
 }
 
+}
+
+bool hasDampingRate(const Drag &drag, PointRange points)
+{
+    for (int i = points.first; i < points.end(); ++i) {
+        if (!drag.dampingRate(i))
+            return false;
+    }
+    return true;
 }
 
 OdeSystem::OdeSystem(const Scene &scene, DirectionRule directionRule)
@@ -153,7 +157,7 @@ EffectPtr OdeSystem::firstDiscontinuity(const Scene &scene, Contacts contacts)
         const auto *drag = as<Drag>(effect);
         const bool contact = as<Contact>(effect);
         if (as<Constraint>(effect) || (driver && driver->timing() == DriverTiming::impulsive) ||
-            (drag && !hasRates(*drag, {everything})) || (contact && contacts == Contacts::excluded))
+            (drag && !hasDampingRate(*drag, everything)) || (contact && contacts == Contacts::excluded))
             return effect;
     }
     return nullptr;

@@ -8,6 +8,9 @@
 
 namespace sim {
 
+/// Returns whether `drag` has a damping rate for each of `points`.
+bool hasDampingRate(const Drag &drag, PointRange points);
+
 /// A scene as a system of ordinary differential equations, q'' = a(q, t) - c q'. The vector q holds x of all
 /// points, then y of all points, then the angles if the points have spins. Velocities and accelerations have
 /// the same order. Units are px, degrees and frames. Effects that act by jumps (contacts, constraints,

@@ -8,7 +8,7 @@ namespace {
 // Shown lines are short.
 // clang-format off
 //! [sum_forces]
-void gather(
+void accumulateForce(
     const Force &force, State &state,
     PointRange movers, double)
 {
@@ -23,7 +23,7 @@ void gather(
 // Shown lines are short.
 // clang-format off
 //! [sum_torques]
-void gatherTorque(
+void accumulateTorque(
     const Torque &torque, State &state,
     PointRange movers, double)
 {
@@ -37,8 +37,8 @@ void gatherTorque(
 
 ForceAccumulation accelerationAccumulation()
 {
-    return {gather,
-            gatherTorque,
+    return {accumulateForce,
+            accumulateTorque,
             {"sim/pipeline/force_accumulation.cpp", "sum_forces"},
             {"sim/pipeline/force_accumulation.cpp", "sum_torques"},
             AccumulationTarget::acceleration};

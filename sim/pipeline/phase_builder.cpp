@@ -446,7 +446,7 @@ void PhaseBuilder::velocityUpdate(const PhasePoints &selection)
     const std::vector<PointRange> ranges = movingRanges(selection.points);
     if (ranges.empty() || hasSpin())
         return;
-    Phase phase = methodPhase("came", SIM_TEXT("new velocity"), selection);
+    Phase phase = methodPhase("velocity_update", SIM_TEXT("new velocity"), selection);
     appendKernel(phase, [ranges, h = m_h](State &state, PointRange points) {
         forEachIntersection(ranges, points, [&](PointRange range) { updateVelocities(state, range, h); });
     });

@@ -70,13 +70,13 @@ double turn(double angle, double spin, double h)
 // The marker skips `inline`, which learners need not read.
 // clang-format off
 inline
-//! [came]
+//! [velocity_update]
 Vec2 velocityFromPositions(Vec2 x, Vec2 before, double h)
 {
     Vec2 v = (1 / h) * (x - before);
     return v;
 }
-//! [came]
+//! [velocity_update]
 // clang-format on
 
 /// Adds the accelerations of `force` on `movers` to an array of `state`. `h` is the length of a step in

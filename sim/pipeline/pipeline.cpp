@@ -11,12 +11,6 @@ namespace sim {
 
 namespace {
 
-bool computes(const Phase &phase, const EffectPtr &effect)
-{
-    return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
-                                               effect) != phase.innerEffects.end();
-}
-
 /// Throws if an effect has something to do but no phase computes it. Such a run would silently show another
 /// scene.
 void checkFit(const Scene &scene, const Method &method, const std::vector<Phase> &phases)
@@ -29,6 +23,12 @@ void checkFit(const Scene &scene, const Method &method, const std::vector<Phase>
     }
 }
 
+}
+
+bool computes(const Phase &phase, const EffectPtr &effect)
+{
+    return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
+                                               effect) != phase.innerEffects.end();
 }
 
 StepSize StepSize::ofLength(double h)

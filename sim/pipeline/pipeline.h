@@ -28,6 +28,9 @@ struct Pipeline
     }
 };
 
+/// Returns whether `phase` computes `effect`, alone or among its inner effects.
+bool computes(const Phase &phase, const EffectPtr &effect);
+
 /// Composes a scene and a method into a pipeline.
 /// @throws Error "method-does-not-fit" (method, effect) if the method cannot handle an effect,
 /// "nothing-moves" (method) if no point can move, "needs-tolerance" or "needs-step" (method) for the wrong

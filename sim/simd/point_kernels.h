@@ -38,6 +38,12 @@ inline void setZero(Eigen::ArrayX2d &columns, PointRange points)
         x[i] = y[i] = 0.0;
 }
 
+/// Returns how many of `points` are dynamic in `state`.
+inline int countDynamic(const State &state, PointRange points)
+{
+    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+}
+
 /// Returns whether no point of `points` has the inverse mass 0.
 SIM_INLINED inline bool areAllDynamic(const double *inverseMass, PointRange points)
 {

@@ -109,7 +109,7 @@ sim::Balance balanceOf(const sim::Script &script, std::int64_t frameCount)
     sim::Balance balance;
     for (std::int64_t frame = 1; frame <= frameCount; ++frame) {
         track.seek({frame, 0});
-        const sim::Balance row = *ledger.row(track, frame);
+        const sim::Balance row = *ledger.balanceAt(track, frame);
         if (frame == 1)
             balance = row;
         else

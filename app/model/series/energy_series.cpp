@@ -99,7 +99,8 @@ bool EnergySeries::countNext()
         return false;
     const std::shared_ptr<const sim::ComposedInterval> interval = timeline.track().intervalAt(frame);
     const bool fits = interval->scene.start.pointCount() <= mostPoints;
-    const std::optional<sim::Balance> step = fits ? m_ledger.row(timeline.track(), frame) : std::nullopt;
+    const std::optional<sim::Balance> step =
+        fits ? m_ledger.balanceAt(timeline.track(), frame) : std::nullopt;
     if (!step) { // a changed parameter has made a scene without energy
         m_whyNot = whyNone(interval->scene);
         startAt(first(), framesPerOutput());

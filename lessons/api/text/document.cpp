@@ -1,6 +1,7 @@
 #include "lessons/api/text/document.h"
 
 #include "lessons/api/text/document_scan.h"
+#include "lessons/api/text/document_source.h"
 #include "lessons/api/text/formula_reader.h"
 #include "lessons/api/text/parameter_text.h"
 #include "lessons/api/text/predict_reader.h"
@@ -151,12 +152,17 @@ private:
                        .arg(shown(section.fields.front(), QStringLiteral("###"))));
     }
 
+    [[noreturn]] void rejectSecond(const DocumentPart &field) const
+    {
+        reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
+                               .arg(shown(field, QStringLiteral("###"))));
+    }
+
     /// Sets a text that may be there once.
     void setOnce(QString &text, const DocumentPart &field) const
     {
         if (!text.isEmpty())
-            reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
-                                   .arg(shown(field, QStringLiteral("###"))));
+            rejectSecond(field);
         text = textOf(field);
     }
 
@@ -200,8 +206,7 @@ private:
     {
         static const QRegularExpression item(QStringLiteral("^- ([a-z0-9_]+): (\\S.*)$"));
         if (one.missingLine > 0)
-            reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
-                                   .arg(shown(field, QStringLiteral("###"))));
+            rejectSecond(field);
         one.missingLine = field.line;
         const QStringList lines = textOf(field).split('\n', Qt::SkipEmptyParts);
         for (const QString &line : lines) {
@@ -222,15 +227,8 @@ private:
     void readChoices(TryText &one, const DocumentPart &field) const
     {
         if (!one.choices.isEmpty())
-            reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
-                                   .arg(shown(field, QStringLiteral("###"))));
+            rejectSecond(field);
         one.choices = parseChoices(field, m_document.file);
-    }
-
-    [[noreturn]] void rejectSecond(const DocumentPart &field) const
-    {
-        reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
-                               .arg(shown(field, QStringLiteral("###"))));
     }
 
     void readDoneWhen(TryText &one, const DocumentPart &field) const
@@ -433,13 +431,20 @@ QStringList documentNames(const QString &step)
     return {QStringLiteral("%1.%2.md").arg(step, language), english};
 }
 
+std::optional<DocumentSource> documentSource(const QString &lesson, const QString &name)
+{
+    for (const QString &candidate : documentNames(name)) {
+        QFile file(QStringLiteral(":/documents/%1/%2").arg(lesson, candidate));
+        if (file.open(QIODevice::ReadOnly))
+            return DocumentSource{file.readAll(), QStringLiteral("%1/%2").arg(lesson, candidate)};
+    }
+    return std::nullopt;
+}
+
 Document readDocument(const QString &lesson, const QString &step)
 {
-    for (const QString &name : documentNames(step)) {
-        QFile file(QStringLiteral(":/documents/%1/%2").arg(lesson, name));
-        if (file.open(QIODevice::ReadOnly))
-            return parseDocument(file.readAll(), QStringLiteral("%1/%2").arg(lesson, name));
-    }
+    if (const std::optional<DocumentSource> source = documentSource(lesson, step))
+        return parseDocument(source->text, source->file);
     throw DocumentError(QStringLiteral("%1/%2.md").arg(lesson, step), 1,
                         DocumentText::tr("the file is missing. Write it, and configure the build again."));
 }

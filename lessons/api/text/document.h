@@ -60,7 +60,7 @@ public:
 /// @throws DocumentError if a heading or a text is missing, unknown or there twice, or if `source` is not UTF-8
 Document parseDocument(const QByteArray &source, const QString &file);
 
-/// Returns the language of the documents to show: "en" or "de", which is that of the installed translations.
+/// Returns the language of the documents to show, such as "en" or "de" (that of the installed translations).
 QString documentLanguage();
 
 /// Returns the names of the files that can hold the document of a step, the best first: STEP.de.md, then STEP.md.

@@ -1,10 +1,10 @@
 #include "lessons/api/text/project.h"
 
 #include "lessons/api/text/document.h"
+#include "lessons/api/text/document_source.h"
 #include "lessons/api/text/run_setup.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -193,12 +193,10 @@ Project parseProject(const QByteArray &source, const QString &file)
 
 std::optional<Project> readProject(const QString &lesson)
 {
-    for (const QString &name : documentNames(QStringLiteral("project"))) {
-        QFile file(QStringLiteral(":/documents/%1/%2").arg(lesson, name));
-        if (file.open(QIODevice::ReadOnly))
-            return parseProject(file.readAll(), QStringLiteral("%1/%2").arg(lesson, name));
-    }
-    return std::nullopt;
+    const std::optional<DocumentSource> source = documentSource(lesson, QStringLiteral("project"));
+    if (!source)
+        return {};
+    return parseProject(source->text, source->file);
 }
 
 QString projectStartFile(const QString &lesson)

@@ -2,10 +2,10 @@
 
 #include "lessons/api/text/document.h"
 #include "lessons/api/text/document_scan.h"
+#include "lessons/api/text/document_source.h"
 #include "lessons/api/text/run_setup.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QRegularExpression>
 #include <QSet>
 
@@ -203,12 +203,10 @@ Recall parseRecall(const QByteArray &source, const QString &file)
 
 Recall readRecall(const QString &lesson)
 {
-    for (const QString &name : documentNames(QStringLiteral("recall"))) {
-        QFile file(QStringLiteral(":/documents/%1/%2").arg(lesson, name));
-        if (file.open(QIODevice::ReadOnly))
-            return parseRecall(file.readAll(), QStringLiteral("%1/%2").arg(lesson, name));
-    }
-    return {};
+    const std::optional<DocumentSource> source = documentSource(lesson, QStringLiteral("recall"));
+    if (!source)
+        return {};
+    return parseRecall(source->text, source->file);
 }
 
 }

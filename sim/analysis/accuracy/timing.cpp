@@ -96,10 +96,10 @@ struct Sampled
 {
     AccuracyRow *row;
     TimedRun run;
-    std::int64_t frames = 0;          ///< per run
-    int repeats = 1;                  ///< runs per sample
-    std::vector<double> samples = {}; ///< ns per frame
-    bool isLong = false;              ///< whether a run is long and cannot be shortened
+    std::int64_t frames = 0; ///< per run
+    int repeats = 1;         ///< runs per sample
+    Samples samples = {};    ///< ns per frame
+    bool isLong = false;     ///< whether a run is long and cannot be shortened
 
     /// Takes one sample and returns its ns per frame.
     double sample(StudyMonitor &monitor, double share)
@@ -113,19 +113,17 @@ struct Sampled
 
 void updateRow(Sampled &sampled)
 {
-    std::vector<double> sorted = sampled.samples;
-    std::sort(sorted.begin(), sorted.end());
-    sampled.row->nsPerFrame = quantile(sorted, 0.5);
-    sampled.row->spread = 0.5 * (quantile(sorted, 0.75) - quantile(sorted, 0.25));
+    sampled.row->nsPerFrame = sampled.samples.median();
+    sampled.row->spread = sampled.samples.spread();
 }
 
+/// Returns the median of spread / nsPerFrame over all rows; see Accuracy::noise.
 double noiseOf(const std::vector<Sampled> &all)
 {
-    std::vector<double> shares;
+    Samples shares;
     for (const Sampled &one : all)
-        shares.push_back(one.row->spread / one.row->nsPerFrame);
-    std::sort(shares.begin(), shares.end());
-    return shares.empty() ? 0.0 : quantile(shares, 0.5);
+        shares.add(one.row->spread / one.row->nsPerFrame);
+    return shares.median();
 }
 
 class Timing
@@ -171,7 +169,7 @@ private:
         const double first = 1e-9 * one.row->firstRun * static_cast<double>(one.frames);
         if (one.row->setup.step.isAdaptive() && first > longRun) {
             one.isLong = true;
-            one.samples.push_back(one.row->firstRun);
+            one.samples.add(one.row->firstRun);
             updateRow(one);
             m_secondsOfLong += first;
             return first;
@@ -191,7 +189,7 @@ private:
         }
         one.repeats = static_cast<int>(std::ceil(std::max(1.0, minSample / expected)));
         if (runSeconds > maxSample && !m_monitor.isStopped()) { // a long run is already a good sample
-            one.samples.push_back(1e9 * runSeconds / static_cast<double>(one.run.frames()));
+            one.samples.add(1e9 * runSeconds / static_cast<double>(one.run.frames()));
             updateRow(one);
         }
         return expected * one.repeats;
@@ -211,7 +209,7 @@ private:
             const double ns = one.sample(m_monitor, progress);
             if (m_monitor.isStopped())
                 return;
-            one.samples.push_back(ns);
+            one.samples.add(ns);
             updateRow(one);
         }
         markFront(m_found.rows);

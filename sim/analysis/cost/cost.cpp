@@ -17,12 +17,6 @@ constexpr std::int64_t maxRecordedCalls = 8;       ///< of one kind
 constexpr double secondsPerReplay = 10e-6;         ///< duration of a sample of one recorded call
 constexpr int maxReplays = 2000;
 
-bool computes(const Phase &phase, const EffectPtr &effect)
-{
-    return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
-                                               effect) != phase.innerEffects.end();
-}
-
 std::ptrdiff_t firstPhaseOf(const Pipeline &pipeline, const EffectPtr &effect)
 {
     const auto found = std::find_if(pipeline.phases.begin(), pipeline.phases.end(),
@@ -59,7 +53,7 @@ class CostMeter::Work
     };
 
 public:
-    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, TimerKind clocks)
+    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clocks clocks)
         : m_plain(compose(scene, *method, step)), m_framesPerOutput(step.framesPerOutput),
           m_stateBytes(std::max<std::size_t>(1, byteSize(from)))
     {
@@ -273,13 +267,13 @@ double FrameCost::sum() const
 }
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from)
-    : m_work(std::make_unique<Work>(scene, method, step, std::move(from),
-                                    TimerKind{wallSeconds, threadCpuSeconds}))
+    : m_work(
+          std::make_unique<Work>(scene, method, step, std::move(from), Clocks{wallSeconds, threadCpuSeconds}))
 {
 }
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clock clock)
-    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), TimerKind{clock, clock}))
+    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), Clocks{clock, clock}))
 {
 }
 

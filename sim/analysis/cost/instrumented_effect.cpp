@@ -14,10 +14,10 @@ void clearEntries(Jacobian &jacobian, const State &state)
 
 /// The part that is the same for all kinds of effects.
 template <class Base>
-class Probe : public Base
+class Instrumented : public Base
 {
 public:
-    Probe(std::shared_ptr<const Base> effect, CallCounter &counter)
+    Instrumented(std::shared_ptr<const Base> effect, CallCounter &counter)
         : m_effect(std::move(effect)), m_counter(counter)
     {
     }
@@ -39,10 +39,10 @@ protected:
     CallCounter &m_counter;
 };
 
-class ForceProbe : public Probe<Force>
+class InstrumentedForce : public Instrumented<Force>
 {
 public:
-    using Probe::Probe;
+    using Instrumented::Instrumented;
     void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override
     {
@@ -99,10 +99,10 @@ private:
     }
 };
 
-class TorqueProbe : public Probe<Torque>
+class InstrumentedTorque : public Instrumented<Torque>
 {
 public:
-    using Probe::Probe;
+    using Instrumented::Instrumented;
     void add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const override
     {
         m_counter.allocateScratch(state);
@@ -140,10 +140,10 @@ public:
     }
 };
 
-class DriverProbe : public Probe<Driver>
+class InstrumentedDriver : public Instrumented<Driver>
 {
 public:
-    using Probe::Probe;
+    using Instrumented::Instrumented;
     void drive(State &state, double h) const override
     {
         m_counter.allocateScratch(state);
@@ -163,10 +163,10 @@ public:
 
 // The kinds below always have a phase to themselves, which is timed. So their calls are only counted.
 
-class DragProbe : public Probe<Drag>
+class InstrumentedDrag : public Instrumented<Drag>
 {
 public:
-    using Probe::Probe;
+    using Instrumented::Instrumented;
     void apply(State &state, PointRange points, double h) const override
     {
         m_counter.countPoints(points);
@@ -181,10 +181,10 @@ public:
     }
 };
 
-class ConstraintProbe : public Probe<Constraint>
+class InstrumentedConstraint : public Instrumented<Constraint>
 {
 public:
-    using Probe::Probe;
+    using Instrumented::Instrumented;
     void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override
     {
         m_counter.countPoints(points);
@@ -197,10 +197,10 @@ public:
     }
 };
 
-class ContactProbe : public Probe<Contact>
+class InstrumentedContact : public Instrumented<Contact>
 {
 public:
-    using Probe::Probe;
+    using Instrumented::Instrumented;
     void resolve(State &state, PointRange points) const override
     {
         m_counter.countPoints(points);
@@ -210,11 +210,11 @@ public:
     std::vector<Surface> surfaces(int point) const override { return m_effect->surfaces(point); }
 };
 
-template <class Base, class ProbeType>
-EffectPtr probed(const EffectPtr &effect, CallCounter &counter)
+template <class Base, class InstrumentedType>
+EffectPtr instrumentedAs(const EffectPtr &effect, CallCounter &counter)
 {
     const auto typed = sharedAs<Base>(effect);
-    return typed ? std::make_shared<const ProbeType>(typed, counter) : nullptr;
+    return typed ? std::make_shared<const InstrumentedType>(typed, counter) : nullptr;
 }
 
 }
@@ -222,8 +222,9 @@ EffectPtr probed(const EffectPtr &effect, CallCounter &counter)
 EffectPtr instrumented(const EffectPtr &effect, CallCounter &counter)
 {
     for (const auto wrap :
-         {probed<Force, ForceProbe>, probed<Torque, TorqueProbe>, probed<Driver, DriverProbe>,
-          probed<Drag, DragProbe>, probed<Constraint, ConstraintProbe>, probed<Contact, ContactProbe>}) {
+         {instrumentedAs<Force, InstrumentedForce>, instrumentedAs<Torque, InstrumentedTorque>,
+          instrumentedAs<Driver, InstrumentedDriver>, instrumentedAs<Drag, InstrumentedDrag>,
+          instrumentedAs<Constraint, InstrumentedConstraint>, instrumentedAs<Contact, InstrumentedContact>}) {
         if (const EffectPtr instrumentedEffect = wrap(effect, counter))
             return instrumentedEffect;
     }

@@ -66,8 +66,7 @@ double readingOf(const Clock &clock)
 
 }
 
-TimingBatch::TimingBatch(State from, TimerKind clocks)
-    : m_clocks(std::move(clocks)), m_starts{std::move(from)}
+TimingBatch::TimingBatch(State from, Clocks clocks) : m_clocks(std::move(clocks)), m_starts{std::move(from)}
 {
     useClock(m_clocks.wall);
 }

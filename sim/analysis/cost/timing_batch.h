@@ -12,7 +12,7 @@ using Clock = std::function<double()>;
 
 /// Two clocks. The wall clock is quick to read and used for short measurements. The CPU clock of the thread
 /// does not count other programs, but may be slower to read.
-struct TimerKind
+struct Clocks
 {
     Clock wall;
     Clock threadCpu;
@@ -34,7 +34,7 @@ class TimingBatch
 {
 public:
     /// Measures the output steps after `from`. Call choose() first.
-    TimingBatch(State from, TimerKind clocks);
+    TimingBatch(State from, Clocks clocks);
 
     /// Chooses how many lanes and output steps make a good sample. Returns false when `shouldContinue`
     /// returned false.
@@ -65,7 +65,7 @@ private:
     std::optional<double> timeThroughPhase(std::size_t last, const Pipeline &pipeline,
                                            const ShouldContinue &shouldContinue);
 
-    TimerKind m_clocks;
+    Clocks m_clocks;
     Clock m_clock; ///< the clock in use
     double m_reading = 0.0;
     bool m_isShort = false;      ///< whether the processor overlaps the phases of a step

@@ -35,7 +35,7 @@ Ledger::accountingOf(const std::shared_ptr<const ComposedInterval> &interval, Di
     return m_kept.back().accounting;
 }
 
-std::optional<Balance> Ledger::row(const Track &track, std::int64_t frame)
+std::optional<Balance> Ledger::balanceAt(const Track &track, std::int64_t frame)
 {
     const std::int64_t start = frame - track.framesPerOutput();
     const DirectionRule directionRule = track.script().method->directionRule();

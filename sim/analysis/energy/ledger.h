@@ -25,7 +25,7 @@ public:
 
     /// Returns the balance of the output step of `track` that ends at `frame` and has been computed. Empty if
     /// its scene has no energy, see StoredEnergyReader::whyNot().
-    std::optional<Balance> row(const Track &track, std::int64_t frame);
+    std::optional<Balance> balanceAt(const Track &track, std::int64_t frame);
 
 private:
     std::shared_ptr<const EnergyAccounting>

@@ -19,7 +19,7 @@ public:
     /// Adds a step of `h` frames from `before` to `after`, when only its two ends are known. The path is the
     /// quintic polynomial through both ends. Its error is estimated with a second path that also has the
     /// acceleration by forces and damping at the middle of the step. The difference is added to
-    /// Balance::doubt.
+    /// Balance::errorEstimate.
     void step(const State &before, const State &after, double h, Balance &balance) const;
     /// The state at the start of a phase that provides dense output, and a scratch state.
     class PhaseStart

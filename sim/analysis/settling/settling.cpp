@@ -17,7 +17,7 @@ constexpr int quietFrames = 60;     ///< after these without motion, nothing mor
 constexpr double motionless = 1e-6; ///< px or degrees a frame
 constexpr double farAway = 1e8;     ///< px or degrees; only motion that grows gets there
 constexpr double growing = 2.0;     ///< of the last third's fastest motion, to that of the first
-constexpr std::int64_t watched = 2 * Settling::mostFrames;
+constexpr std::int64_t observedFrames = 2 * Settling::mostFrames;
 
 /// Where the points of a run are, and how branches stand.
 struct Pose
@@ -31,14 +31,15 @@ double largest(const Eigen::ArrayXd &numbers)
     return numbers.size() > 0 ? numbers.maxCoeff() : 0.0;
 }
 
-/// Returns how far the point or branch that differs most is between two poses; infinite if they have other points.
-double apart(const Pose &a, const Pose &b)
+/// Returns the largest displacement of a point (px) or turn of a branch (degrees) between two poses. Infinite if they
+/// have different numbers of points.
+double distance(const Pose &a, const Pose &b)
 {
     if (a.position.rows() != b.position.rows() || a.angle.size() != b.angle.size())
         return HUGE_VAL;
-    const Eigen::ArrayXd way = (a.position - b.position).square().rowwise().sum();
+    const Eigen::ArrayXd squares = (a.position - b.position).square().rowwise().sum();
     const Eigen::ArrayXd turn = (a.angle - b.angle).abs();
-    return std::max(std::sqrt(largest(way)), largest(turn));
+    return std::max(std::sqrt(largest(squares)), largest(turn));
 }
 
 bool isFar(const Pose &pose)
@@ -46,8 +47,8 @@ bool isFar(const Pose &pose)
     return std::max(largest(pose.position.abs().rowwise().maxCoeff()), largest(pose.angle.abs())) > farAway;
 }
 
-/// The frames of a run after its last input.
-struct Watch
+/// The motion of a run after its last input.
+struct Observation
 {
     std::vector<Pose> poses;             ///< at the end of each output step, from the last input on
     std::array<double, 3> fastest = {};  ///< motion a frame, in each third
@@ -59,24 +60,25 @@ Pose poseOf(const State &state)
     return {state.position, state.angle};
 }
 
-/// Returns what was seen; nothing if it was cancelled.
-std::optional<Watch> watch(Track &run, std::int64_t from, const ShouldContinue &shouldContinue)
+/// Runs on from the frame `from` until the motion grows, has ended, or was observed long enough. Returns nothing if it
+/// was cancelled.
+std::optional<Observation> observe(Track &run, std::int64_t from, const ShouldContinue &shouldContinue)
 {
-    Watch seen;
+    Observation seen;
     if (!run.seek({from, 0}, shouldContinue))
         return std::nullopt;
     seen.poses.push_back(poseOf(run.state()));
     const int frames = run.framesPerOutput();
     std::int64_t quiet = 0;
-    while (!run.stop() && run.cursor().frame < from + watched && quiet < quietFrames) {
+    while (!run.stop() && run.cursor().frame < from + observedFrames && quiet < quietFrames) {
         const std::int64_t before = run.cursor().frame;
         if (!run.seek({before + frames, 0}, shouldContinue))
             return std::nullopt;
         if (run.stop())
             break;
         seen.poses.push_back(poseOf(run.state()));
-        const double motion = apart(seen.poses.back(), *(seen.poses.end() - 2)) / frames;
-        const auto third = static_cast<std::size_t>(3 * (before - from) / watched);
+        const double motion = distance(seen.poses.back(), *(seen.poses.end() - 2)) / frames;
+        const auto third = static_cast<std::size_t>(3 * (before - from) / observedFrames);
         seen.fastest.at(std::min<std::size_t>(third, 2)) =
             std::max(seen.fastest.at(std::min<std::size_t>(third, 2)), motion);
         quiet = motion < motionless ? quiet + frames : 0;
@@ -103,7 +105,7 @@ std::optional<Settling> settlingOf(const Script &script, const ShouldContinue &s
     Track run(script, 0);
     const int frames = run.framesPerOutput();
     const std::int64_t from = (lastInputFrame(script) + frames - 1) / frames * frames;
-    const std::optional<Watch> seen = watch(run, from, shouldContinue);
+    const std::optional<Observation> seen = observe(run, from, shouldContinue);
     if (!seen)
         return std::nullopt;
     if (seen->early)
@@ -112,8 +114,8 @@ std::optional<Settling> settlingOf(const Script &script, const ShouldContinue &s
         return Settling{Settling::Kind::grows};
     const Pose &end = seen->poses.back();
     std::size_t rest = seen->poses.size() - 1; // the first output from which on it rests
-    while (rest > 0 && apart(seen->poses[rest - 1], end) <= Settling::nearRest &&
-           apart(seen->poses[rest - 1], seen->poses[rest]) < Settling::slowest * frames)
+    while (rest > 0 && distance(seen->poses[rest - 1], end) <= Settling::nearRest &&
+           distance(seen->poses[rest - 1], seen->poses[rest]) < Settling::slowest * frames)
         --rest;
     const auto settled = static_cast<std::int64_t>(rest) * frames;
     if (settled > Settling::mostFrames)

@@ -56,8 +56,8 @@ struct SettlingMap
 /// Called after each cell. Returns false to stop.
 using SettlingProgress = std::function<bool(const SettlingMap &soFar)>;
 
-/// The script whose runs a map compares: without later changes of the two parameters, and without input after
-/// `mostInput`.
+/// Returns the script whose runs a map compares: `script` without later changes of the two parameters, and without
+/// input after the frame `mostInput`.
 Script settlingScript(Script script, const std::string &x, const std::string &y, std::int64_t mostInput);
 
 /// Computes settlingOf() for each pair of values, from a coarse grid to the finest. A cell that cannot be set up stays

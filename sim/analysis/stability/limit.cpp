@@ -33,12 +33,12 @@ double findLimit(const std::function<double(double h)> &growth, double fastest, 
         if (unstable == 0.0)
             return std::numeric_limits<double>::infinity();
     } else {
-        unstable = stable;
         do {
+            unstable = stable;
             stable = unstable / 4.0;
             if (stable < minPhase / fastest)
                 return 0.0;
-        } while (!isStable(stable) && (unstable = stable, true));
+        } while (!isStable(stable));
     }
     while (unstable - stable > limitTolerance * unstable) {
         const double middle = std::sqrt(stable * unstable);

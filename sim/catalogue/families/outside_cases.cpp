@@ -110,8 +110,8 @@ HardCase notANumber(const char *id, const char *title, const char *story, Event 
         id, title, story, creature,
         valuesOf({{"k", 0.2}, {"damp", outsideDamp}, {"radius", 50}, {"feet", footCount}, {"out", 60}}), 60);
     hardCase.script.input = {{4, Grab{"body"}}, event};
-    hardCase.requirements = {Requirement::refused, Requirement::dragging};
-    hardCase.refusal = "input-not-finite";
+    hardCase.requirements = {Requirement::rejected, Requirement::dragging};
+    hardCase.expectedError = "input-not-finite";
     return hardCase;
 }
 

@@ -78,8 +78,8 @@ HardCase endless()
                SIM_TEXT("Branches that are as large as their parents never get small enough to stop "
                         "forking."),
                grownTree, valuesOf({{"slope", 1}, {"min_scale", 0.2}}), 60);
-    hardCase.requirements = {Requirement::refused};
-    hardCase.refusal = "tree-too-big";
+    hardCase.requirements = {Requirement::rejected};
+    hardCase.expectedError = "tree-too-big";
     return hardCase;
 }
 

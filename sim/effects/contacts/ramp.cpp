@@ -22,7 +22,7 @@ std::vector<Region> Ramp::regions(DirectionRule) const
 
 int Ramp::count(const State &state, PointRange points) const
 {
-    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+    return countDynamic(state, points);
 }
 
 std::vector<Surface> Ramp::surfaces(int point) const

@@ -2,6 +2,7 @@
 
 #include "sim/scene/blueprint_draft.h"
 #include "sim/scene/values.h"
+#include "sim/simd/point_kernels.h"
 
 namespace sim {
 
@@ -13,7 +14,7 @@ std::vector<Region> RoomLimits::regions(DirectionRule) const
 
 int RoomLimits::count(const State &state, PointRange points) const
 {
-    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+    return countDynamic(state, points);
 }
 
 void RoomLimits::enforce(State &state, PointRange points, DirectionRule, double) const

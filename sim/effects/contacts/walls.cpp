@@ -13,7 +13,7 @@ std::vector<Region> Walls::regions(DirectionRule) const
 
 int Walls::count(const State &state, PointRange points) const
 {
-    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+    return countDynamic(state, points);
 }
 
 std::vector<Surface> Walls::surfaces(int point) const

@@ -48,7 +48,7 @@ PointRange Damping::dampedPart(PointRange points) const
 int Damping::count(const State &state, PointRange points) const
 {
     points = dampedPart(points);
-    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+    return countDynamic(state, points);
 }
 
 void Damping::apply(State &state, PointRange points, double h) const
@@ -118,7 +118,7 @@ constexpr ParameterSpec dampingParameters[] = {{
     .role = ParameterRole::damping,
 }};
 
-EffectPtr buildDamping(const Blueprint &, const Values &values)
+EffectPtr makeDamping(const Blueprint &, const Values &values)
 {
     return std::make_shared<Damping>(values["damp"]);
 }
@@ -132,7 +132,7 @@ constinit const EffectDescription damping = {
     .kind = EffectKind::damping,
     .purpose = SIM_TEXT("Takes a share of every velocity each frame, so that things come to rest."),
     .parameters = dampingParameters,
-    .make = buildDamping};
+    .make = makeDamping};
 }
 
 }

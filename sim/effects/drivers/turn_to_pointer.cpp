@@ -4,17 +4,10 @@
 
 namespace sim {
 
-namespace {
-
-/// Stands for the pointer in direction(), as the pointer is not one of the points.
-constexpr int pointerIndex = -1;
-
-}
-
 std::vector<Region> TurnToPointer::regions(DirectionRule) const
 {
     if (m_formula == TreeFormula::published)
-        return {{"sim/effects/tree/tree.h", "sight_published"},
+        return {{"sim/effects/tree/tree.h", "pointer_offset_published"},
                 {"sim/effects/drivers/turn_to_pointer.h", "turn_to_pointer_published"},
                 {"sim/effects/tree/tree.h", "reach"},
                 {"sim/effects/tree/tree.h", "end"}};

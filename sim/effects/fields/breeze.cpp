@@ -14,7 +14,7 @@ std::vector<Region> Breeze::regions(DirectionRule) const
 
 int Breeze::count(const State &state, PointRange points) const
 {
-    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+    return countDynamic(state, points);
 }
 
 void Breeze::add(const State &state, PointRange movers, double scale, DirectionRule,
@@ -75,7 +75,7 @@ constexpr ParameterSpec breezeParameters[] = {
         .max = 1.0,
     }};
 
-EffectPtr buildBreeze(const Blueprint &blueprint, const Values &values)
+EffectPtr makeBreeze(const Blueprint &blueprint, const Values &values)
 {
     return std::make_shared<Breeze>(BreezeStrength{values["wind"], values["gusts"]}, widths(blueprint),
                                     windClockOf(blueprint));
@@ -90,7 +90,7 @@ constinit const EffectDescription breeze = {
     .kind = EffectKind::wind,
     .purpose = SIM_TEXT("Blows everything sideways, wide bodies more strongly, and can come in gusts."),
     .parameters = breezeParameters,
-    .make = buildBreeze};
+    .make = makeBreeze};
 }
 
 }

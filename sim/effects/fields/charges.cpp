@@ -125,7 +125,7 @@ constexpr CodeVariable chargeVariables[] = {
      SIM_TEXT("How hard they push each other apart, for a mass of 1. Below 0: they attract each other.")},
     {"pull", "px/frame²", SIM_TEXT("What all charges together add to the velocity each frame.")}};
 
-EffectPtr buildCharges(const Blueprint &blueprint, const Values &values)
+EffectPtr makeCharges(const Blueprint &blueprint, const Values &values)
 {
     return std::make_shared<Charges>(valuesOf(blueprint, chargeProperties[0]), values["charge_strength"],
                                      values["softening"]);
@@ -151,7 +151,7 @@ constinit const EffectDescription charges = {
     .parameters = chargeParameters,
     .pointProperties = chargeProperties,
     .variables = chargeVariables,
-    .make = buildCharges};
+    .make = makeCharges};
 }
 
 }

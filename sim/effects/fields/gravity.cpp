@@ -23,7 +23,7 @@ std::vector<Region> Gravity::regions(DirectionRule) const
 
 int Gravity::count(const State &state, PointRange points) const
 {
-    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+    return countDynamic(state, points);
 }
 
 void Gravity::add(const State &state, PointRange movers, double scale, DirectionRule,
@@ -83,7 +83,7 @@ constexpr ParameterSpec gravityParameters[] = {{
     .sliderMax = 3.0,
 }};
 
-EffectPtr buildGravity(const Blueprint &, const Values &values)
+EffectPtr makeGravity(const Blueprint &, const Values &values)
 {
     return std::make_shared<Gravity>(values["gravity"]);
 }
@@ -96,7 +96,7 @@ constinit const EffectDescription gravity = {.id = "gravity",
                                              .kind = EffectKind::gravity,
                                              .purpose = SIM_TEXT("Pulls everything down equally."),
                                              .parameters = gravityParameters,
-                                             .make = buildGravity};
+                                             .make = makeGravity};
 }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/base/direction.h"
 #include "sim/scene/effect.h"
 
 namespace sim {
@@ -33,7 +34,7 @@ constexpr PairJacobian pointSpringJacobian(double k)
 inline PairJacobian radialSpringJacobian(Vec2 from, double k, double distance)
 {
     const double far = length(from);
-    if (far < 1e-150)
+    if (far < coincidenceDistance)
         return pointSpringJacobian(k);
     const Vec2 out = {from.x / far, from.y / far};
     const double turns = k * distance / far;

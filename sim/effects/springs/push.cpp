@@ -85,7 +85,7 @@ constexpr ParameterSpec pushParameters[] = {
         .decimals = 0,
     }};
 
-EffectPtr buildPush(const Blueprint &blueprint, const Values &values)
+EffectPtr makePush(const Blueprint &blueprint, const Values &values)
 {
     std::vector<int> all(blueprint.points.size());
     std::iota(all.begin(), all.end(), 0);
@@ -102,7 +102,7 @@ constinit const EffectDescription push = {
     .purpose = SIM_TEXT(
         "Pushes bodies apart that come too close, so that creatures do not walk through each other."),
     .parameters = pushParameters,
-    .make = buildPush};
+    .make = makePush};
 }
 
 }

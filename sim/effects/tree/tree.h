@@ -127,6 +127,9 @@ Vec2 branchEnd(
 //! [end]
 // clang-format on
 
+/// Stands for the pointer in direction() and fallbackDirection(), as the pointer is not one of the points.
+constexpr int pointerIndex = -1;
+
 /// The pointer as a branch sees it.
 struct PointerOffset
 {
@@ -140,7 +143,7 @@ struct PointerOffset
 // Shown lines are short.
 // clang-format off
 inline
-//! [sight_published]
+//! [pointer_offset_published]
 PointerOffset pointerOffsetPublished(
     Vec2 pointer, Vec2 origin,
     Vec2 reach, double scale)
@@ -153,7 +156,7 @@ PointerOffset pointerOffsetPublished(
     Vec2 d = mouse + reach;
     return {mouse, d};
 }
-//! [sight_published]
+//! [pointer_offset_published]
 // clang-format on
 
 /// Returns the position (px) of the end of branch `i` in `state`.

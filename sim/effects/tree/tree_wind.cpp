@@ -97,7 +97,7 @@ std::vector<Region> TreeWind::regions(DirectionRule) const
     const bool isPublished = m_formula == TreeFormula::published;
     std::vector<Region> shown = {{treeHeader, "reach"}};
     if (isPublished)
-        shown.insert(shown.end(), {{treeHeader, "sight_published"}, {windHeader, "wind_published"}});
+        shown.insert(shown.end(), {{treeHeader, "pointer_offset_published"}, {windHeader, "wind_published"}});
     else
         shown.insert(shown.end(), {{treeHeader, "end"}, {windHeader, "wind"}});
     if (m_turbulence)

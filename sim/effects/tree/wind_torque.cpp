@@ -6,9 +6,6 @@ namespace sim {
 
 namespace {
 
-/// Stands for the pointer in direction(), as the pointer is not one of the points.
-constexpr int pointerIndex = -1;
-
 bool blows(const State &state)
 {
     return state.input.pointer && state.gustExtent.front > 0.0;
@@ -62,7 +59,7 @@ WindTorque::PushDerivatives WindTorque::pushDerivatives(const State &state, int 
         factor * gustDerivative(distance, state.gustExtent, m_gusts) / far - decay;
     // If the end moves across the wind, `out` turns, and the sine `turn` changes by the cosine per radian.
     const double cosine = dot(along, out);
-    const double byAcross = strength * cosine / std::max(distance, 1e-150);
+    const double byAcross = strength * cosine / std::max(distance, coincidenceDistance);
     const Vec2 across = {-out.y, out.x};
     return {(strengthDerivative * push.turn) * out + byAcross * across,
             -strength * cosine / degreesPerRadian};

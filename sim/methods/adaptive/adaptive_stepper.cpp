@@ -77,20 +77,20 @@ AdaptiveStepper::AdaptiveStepper(const IslandIntegrator &integrator, State &stat
     const int columns = 6 + integrator.rule.scratchColumns();
     Scratch &numbers =
         scratch(static_cast<std::size_t>(m_size * columns), integrator.system.rateRanges().size());
-    m_place = numbers.numbers.data();
-    m_speed = m_place + m_size;
-    m_slope = m_speed + m_size;
-    m_trial = m_slope + m_size;
+    m_x = numbers.numbers.data();
+    m_v = m_x + m_size;
+    m_a = m_v + m_size;
+    m_trial = m_a + m_size;
     m_weights = &numbers.weights;
     m_nystrom = &numbers.nystrom;
 }
 
 StepAttempt AdaptiveStepper::attemptOf(double start, double h)
 {
-    StepAttempt step = {m_accelerations, m_integrator.system, start, h, m_place, m_speed, m_slope};
-    step.endPlace = m_trial;
-    step.endSpeed = m_trial + m_size;
-    step.endSlope = m_trial + 2 * m_size;
+    StepAttempt step = {m_accelerations, m_integrator.system, start, h, m_x, m_v, m_a};
+    step.endX = m_trial;
+    step.endV = m_trial + m_size;
+    step.endA = m_trial + 2 * m_size;
     step.columns = denseColumns();
     step.scratch = m_trial + 3 * m_size;
     step.weights = m_weights;
@@ -124,16 +124,16 @@ bool AdaptiveStepper::toNextFrame(StepBudget &budget)
 
 void AdaptiveStepper::begin()
 {
-    m_integrator.system.readState(m_state, endPlace(), endSpeed());
+    m_integrator.system.readState(m_state, endX(), endV());
     for (const OdeSystem::RateRange &rows : m_integrator.system.rateRanges()) {
         if (std::isinf(rows.rate)) // damping stops it at once
-            std::fill(endSpeed() + rows.first, endSpeed() + rows.end(), 0.0);
+            std::fill(endV() + rows.first, endV() + rows.end(), 0.0);
     }
     m_lastStep.start = m_lastStep.end = 0.0;
     for (const PointRange &range : m_integrator.system.ranges())
         m_state.restingContacts.segment(range.first, range.count).setZero();
-    const Eigen::ArrayXd position = Eigen::Map<Eigen::ArrayXd>(endPlace(), m_visitor ? m_size : 0);
-    const Eigen::ArrayXd velocity = Eigen::Map<Eigen::ArrayXd>(endSpeed(), m_visitor ? m_size : 0);
+    const Eigen::ArrayXd position = Eigen::Map<Eigen::ArrayXd>(endX(), m_visitor ? m_size : 0);
+    const Eigen::ArrayXd velocity = Eigen::Map<Eigen::ArrayXd>(endV(), m_visitor ? m_size : 0);
     bounce();
     settle();
     if (m_visitor)
@@ -141,7 +141,7 @@ void AdaptiveStepper::begin()
     if (m_lastStep.nextLength > 0.0)
         return;
     // A guess, which the first error estimate corrects.
-    const double acceleration = maxAbs(endSlope(), m_size) + 1e-10;
+    const double acceleration = maxAbs(endA(), m_size) + 1e-10;
     const double share = std::pow(m_integrator.tolerance / (acceleration + m_integrator.tolerance),
                                   1.0 / m_integrator.rule.errorOrder());
     m_lastStep.nextLength = std::min(m_integrator.longestStep, std::clamp(0.5 * share, 1e-6, 1.0));
@@ -154,13 +154,13 @@ void AdaptiveStepper::tryStep()
 {
     double start = m_lastStep.end;
     double h = m_lastStep.nextLength;
-    std::copy_n(endPlace(), m_size, m_place);
-    std::copy_n(endSpeed(), m_size, m_speed);
-    std::copy_n(endSlope(), m_size, m_slope);
+    std::copy_n(endX(), m_size, m_x);
+    std::copy_n(endV(), m_size, m_v);
+    std::copy_n(endA(), m_size, m_a);
     StepAttempt step = attemptOf(start, h);
     const StepRule &rule = m_integrator.rule;
-    double off = rule.attempt(step);
-    double share = off / maxError();
+    double error = rule.attempt(step);
+    double share = error / maxError();
     if (share <= 1) // exact enough
         accept(step);
     else // again, with a shorter step
@@ -185,7 +185,7 @@ void AdaptiveStepper::shorten(double h)
 double AdaptiveStepper::maxError() const
 {
     // The digits of a position limit the accuracy.
-    const double digits = 8.0 * std::numeric_limits<double>::epsilon() * maxAbs(m_place, m_size);
+    const double digits = 8.0 * std::numeric_limits<double>::epsilon() * maxAbs(m_x, m_size);
     return std::max(m_integrator.tolerance, digits);
 }
 
@@ -195,9 +195,9 @@ void AdaptiveStepper::accept(const StepAttempt &step)
     lastStep.start = step.start;
     lastStep.length = step.h;
     lastStep.end = step.start + step.h;
-    std::copy_n(step.endPlace, m_size, endPlace());
-    std::copy_n(step.endSpeed, m_size, endSpeed());
-    std::copy_n(step.endSlope, m_size, endSlope());
+    std::copy_n(step.endX, m_size, endX());
+    std::copy_n(step.endV, m_size, endV());
+    std::copy_n(step.endA, m_size, endA());
     const bool containsFrame = step.start < 1.0 && lastStep.end > 1.0;
     const bool mayMeet = mayHaveContactEvent();
     if (containsFrame || mayMeet || m_visitor)
@@ -239,14 +239,14 @@ void AdaptiveStepper::denseAll(double h, double theta, double *x, double *v) con
 void AdaptiveStepper::writeOutput()
 {
     AdaptiveStep &lastStep = m_lastStep;
-    double *x = endPlace();
-    double *v = endSpeed();
+    double *x = endX();
+    double *v = endV();
     if (lastStep.end > 1) {
         // inside the step
         double h = lastStep.length;
         double part = (1 - lastStep.start) / h;
-        x = m_place;
-        v = m_speed;
+        x = m_x;
+        v = m_v;
         denseAll(h, part, x, v);
     }
     m_accelerations.advanceDriversTo(1);
@@ -260,7 +260,7 @@ void AdaptiveStepper::giveUp()
 {
     int worst = 0;
     for (int i = 0; i < m_points; ++i) {
-        if (!(length(at(endSlope(), i)) <= length(at(endSlope(), worst))))
+        if (!(length(at(endA(), i)) <= length(at(endA(), worst))))
             worst = i;
     }
     m_lastStep.stuckPoint = m_integrator.system.pointAt(worst);
@@ -280,7 +280,7 @@ void AdaptiveStepper::endAtContactEvent(double start, double h)
     const double first = std::min(touchAt, liftAt);
     if (first > 1.0)
         return;
-    denseAll(h, first, endPlace(), endSpeed());
+    denseAll(h, first, endX(), endV());
     m_lastStep.end = start + first * h;
     if (liftAt > first) {
         m_lifted = -1;
@@ -297,10 +297,10 @@ void AdaptiveStepper::endAtContactEvent(double start, double h)
 bool AdaptiveStepper::mayTouch(const ContactCandidates::Candidate &candidate) const
 {
     const Surface &surface = candidate.surface;
-    if (gap(surface, at(endPlace(), candidate.row)) < 0.0)
+    if (gap(surface, at(endX(), candidate.row)) < 0.0)
         return true;
-    return normalVelocity(surface, at(m_speed, candidate.row)) <= 0.0 &&
-           normalVelocity(surface, at(endSpeed(), candidate.row)) > 0.0;
+    return normalVelocity(surface, at(m_v, candidate.row)) <= 0.0 &&
+           normalVelocity(surface, at(endV(), candidate.row)) > 0.0;
 }
 
 bool AdaptiveStepper::mayHaveContactEvent() const
@@ -334,10 +334,10 @@ double AdaptiveStepper::touch(const ContactCandidates::Candidate &candidate, dou
     const auto speedAt = [&](double theta) {
         return normalVelocity(surface, dense(candidate.row, h, theta).v);
     };
-    if (gap(surface, at(endPlace(), candidate.row)) < 0.0) {
+    if (gap(surface, at(endX(), candidate.row)) < 0.0) {
         // A point that has just bounced is on the surface. It can only return after its highest point.
-        const bool leaves = normalVelocity(surface, at(m_speed, candidate.row)) > 0.0;
-        const bool returns = normalVelocity(surface, at(endSpeed(), candidate.row)) > 0.0;
+        const bool leaves = normalVelocity(surface, at(m_v, candidate.row)) > 0.0;
+        const bool returns = normalVelocity(surface, at(endV(), candidate.row)) > 0.0;
         const double highest = leaves && !returns ? firstRoot(speedAt, 0.0, 1.0) : 0.0;
         if (gapAt(highest) <= 0.0)
             return highest;
@@ -403,24 +403,24 @@ void AdaptiveStepper::bounce()
         if (!canHit(candidate))
             continue;
         const Surface &surface = candidate.surface;
-        const Vec2 x = at(endPlace(), candidate.row), v = at(endSpeed(), candidate.row);
+        const Vec2 x = at(endX(), candidate.row), v = at(endV(), candidate.row);
         const double distance = gap(surface, x);
         if (distance < 0.0)
-            put(endPlace(), candidate.row, x - distance * surface.normal);
+            put(endX(), candidate.row, x - distance * surface.normal);
         if (distance <= contactDistance && normalVelocity(surface, v) < 0.0)
-            put(endSpeed(), candidate.row, bounced(surface, v));
+            put(endV(), candidate.row, bounced(surface, v));
     }
 }
 
 void AdaptiveStepper::settle()
 {
-    m_accelerations.unconstrained(endPlace(), endSpeed(), m_lastStep.end, endSlope());
+    m_accelerations.unconstrained(endX(), endV(), m_lastStep.end, endA());
     for (const ContactCandidates::Candidate &candidate : m_integrator.contacts.all()) {
         if (!m_state.isDynamic(candidate.point))
             continue;
         const Surface &surface = candidate.surface;
-        const double pull = normalVelocity(surface, at(endSlope(), candidate.row));
-        const Vec2 x = at(endPlace(), candidate.row), v = at(endSpeed(), candidate.row);
+        const double pull = normalVelocity(surface, at(endA(), candidate.row));
+        const Vec2 x = at(endX(), candidate.row), v = at(endV(), candidate.row);
         const double pressing = std::max(0.0, -pull);
         const bool slow =
             std::abs(normalVelocity(surface, v)) <= restingSpeed(pressing, m_integrator.tolerance) &&
@@ -430,9 +430,9 @@ void AdaptiveStepper::settle()
         else if (!isResting(candidate) && slow && pull <= 0.0 && candidate.point != m_lifted)
             m_state.restingContacts[candidate.point] |= candidate.bit;
         if (isResting(candidate))
-            put(endSpeed(), candidate.row, restingAcceleration(surface, v));
+            put(endV(), candidate.row, restingAcceleration(surface, v));
     }
-    m_accelerations.removeConstrained(endSlope());
+    m_accelerations.removeConstrained(endA());
 }
 
 bool AdaptiveStepper::toNextFrame(StepBudget &budget, const SegmentVisitor &visit)
@@ -459,8 +459,8 @@ void AdaptiveStepper::reportStep(double start) const
     if (lastStep.end > 1.0) {
         segment.evaluate(1.0, segment.positionAfter, segment.velocityAfter);
     } else {
-        segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
-        segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
+        segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endX(), m_size);
+        segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endV(), m_size);
     }
     (*m_visitor)(segment);
 }
@@ -473,8 +473,8 @@ void AdaptiveStepper::reportFromStart(const Eigen::ArrayXd &position, const Eige
         x = position;
         v = velocity;
     };
-    segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
-    segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
+    segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endX(), m_size);
+    segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endV(), m_size);
     (*m_visitor)(segment);
 }
 

@@ -148,9 +148,9 @@ private:
 
     /// Returns a column of State::stages that belongs to the island.
     double *column(int number) const { return m_state.stages.data() + m_integrator.column + number * m_size; }
-    double *endPlace() const { return column(0); }
-    double *endSpeed() const { return column(1); }
-    double *endSlope() const { return column(2); }
+    double *endX() const { return column(0); }
+    double *endV() const { return column(1); }
+    double *endA() const { return column(2); }
     double *denseColumns() const { return column(3); }
 
     const IslandIntegrator &m_integrator;
@@ -159,9 +159,9 @@ private:
     int m_size;
     int m_points; ///< of the island
     ContactAccelerations m_accelerations;
-    double *m_place;   ///< positions at the start of the step; in scratch memory, like the next three
-    double *m_speed;   ///< velocities at the start of the step
-    double *m_slope;   ///< accelerations at the start of the step
+    double *m_x;       ///< positions at the start of the step; in scratch memory, like the next three
+    double *m_v;       ///< velocities at the start of the step
+    double *m_a;       ///< accelerations at the start of the step
     double *m_trial;   ///< the end of the attempted step, followed by the scratch memory of the rule
     int m_lifted = -1; ///< the point that has just left its surface; rounding must not put it back
     std::vector<StageWeights> *m_weights; ///< one per rate range

@@ -41,12 +41,12 @@ Tableau classical()
 struct Columns
 {
     int stages = 0;
-    int startPlace() const { return 0; }
-    int startSpeed() const { return 1; }
-    int speed(int stage) const { return 2 + stage; }
-    int slope(int stage) const { return 2 + stages + stage; }
+    int startPosition() const { return 0; }
+    int startVelocity() const { return 1; }
+    int velocity(int stage) const { return 2 + stage; }
+    int acceleration(int stage) const { return 2 + stages + stage; }
     /// The column in which the next position is computed.
-    int place() const { return 2 + 2 * stages; }
+    int nextPosition() const { return 2 + 2 * stages; }
     int count() const { return 3 + 2 * stages; }
 };
 
@@ -84,16 +84,16 @@ double *column(State &state, int number)
 }
 
 /// Computes the positions of a stage, or of the end of the step, from the velocities of the stages before it.
-double *placeOf(State &state, const Plan &plan, int stage)
+double *positionOf(State &state, const Plan &plan, int stage)
 {
     const Columns &at = plan.columns;
     for (std::size_t i = 0; i < plan.weights.size(); ++i) {
         const OdeSystem::RateRange &rows = plan.system.rateRanges()[i];
-        const double *weights = plan.weights[i].place[static_cast<std::size_t>(stage)].data();
-        blendRows(column(state, at.place()), column(state, at.startPlace()), 1.0, column(state, at.speed(0)),
-                  weights, stage, rows.first, rows.end(), plan.system.size());
+        const double *weights = plan.weights[i].position[static_cast<std::size_t>(stage)].data();
+        blendRows(column(state, at.nextPosition()), column(state, at.startPosition()), 1.0,
+                  column(state, at.velocity(0)), weights, stage, rows.first, rows.end(), plan.system.size());
     }
-    return column(state, at.place());
+    return column(state, at.nextPosition());
 }
 
 /// Computes the velocities of a stage, or of the end of the step, in column `out` from the accelerations of
@@ -104,9 +104,10 @@ double *velocityOf(State &state, const Plan &plan, int stage, int out)
     for (std::size_t i = 0; i < plan.weights.size(); ++i) {
         const OdeSystem::RateRange &rows = plan.system.rateRanges()[i];
         const auto row = static_cast<std::size_t>(stage);
-        const double *weights = plan.weights[i].speed[row].data();
-        blendRows(column(state, out), column(state, at.startSpeed()), plan.weights[i].keep[row],
-                  column(state, at.slope(0)), weights, stage, rows.first, rows.end(), plan.system.size());
+        const double *weights = plan.weights[i].velocity[row].data();
+        blendRows(column(state, out), column(state, at.startVelocity()), plan.weights[i].keep[row],
+                  column(state, at.acceleration(0)), weights, stage, rows.first, rows.end(),
+                  plan.system.size());
     }
     return column(state, out);
 }
@@ -116,9 +117,9 @@ void storeStage(State &state, const Plan &plan, int stage)
 {
     const Columns &at = plan.columns;
     if (stage == 0)
-        plan.system.readState(state, column(state, at.startPlace()), column(state, at.startSpeed()));
-    plan.system.readAccumulated(state, column(state, at.slope(stage)));
-    velocityOf(state, plan, stage, at.speed(stage));
+        plan.system.readState(state, column(state, at.startPosition()), column(state, at.startVelocity()));
+    plan.system.readAccumulated(state, column(state, at.acceleration(stage)));
+    velocityOf(state, plan, stage, at.velocity(stage));
 }
 
 // Shown lines are short.
@@ -130,7 +131,7 @@ void goTo(State &state,
 {
     // by the velocities found so far
     double *x =
-        placeOf(state, plan, stage);
+        positionOf(state, plan, stage);
     plan.tickTo(state, stage);
     plan.system.writePositions(x, state);
 }
@@ -141,7 +142,7 @@ void goToTrial(State &state, const Plan &plan, int stage)
 {
     goTo(state, plan, stage);
     if (plan.system.readsVelocities())
-        plan.system.writeVelocities(velocityOf(state, plan, stage, plan.columns.speed(stage)), state);
+        plan.system.writeVelocities(velocityOf(state, plan, stage, plan.columns.velocity(stage)), state);
 }
 
 /// Moves the state to the end of the step: positions and velocities.
@@ -152,7 +153,7 @@ void finish(State &state,
     int end = plan.columns.stages;
     goTo(state, plan, end);
     // by the pulls of all stages
-    int out = plan.columns.place();
+    int out = plan.columns.nextPosition();
     double *v = velocityOf(
         state, plan, end, out);
     plan.system.writeVelocities(v, state);

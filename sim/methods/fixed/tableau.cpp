@@ -37,12 +37,12 @@ void StageWeights::set(const Tableau &coefficients, double c, double step, int c
         for (std::size_t j = 0; j < i; ++j) {
             if (a[j] == 0.0)
                 continue;
-            place[i][j] = h * a[j];
+            position[i][j] = h * a[j];
             if (rate == 0.0)
-                speed[i][j] = place[i][j];
+                velocity[i][j] = position[i][j];
             else
-                speed[i][j] = place[i][j] *
-                              (quotients ? keep[i] / keep[j] : decay(rate, (time - coefficients.c[j]) * h));
+                velocity[i][j] = position[i][j] * (quotients ? keep[i] / keep[j]
+                                                             : decay(rate, (time - coefficients.c[j]) * h));
         }
     }
 }

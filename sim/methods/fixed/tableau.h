@@ -20,14 +20,14 @@ struct Tableau
 
 /// The weights of the stages in a step of h frames, for a damping rate of c per frame. Damping is exact,
 /// because the method integrates the undamped velocity u = e^(c t) v. So stage i has the velocity keep[i] v0
-/// + sum of speed[i][j] a_j, and the position x0 + sum of place[i][j] v_j.
+/// + sum of velocity[i][j] a_j, and the position x0 + sum of position[i][j] v_j.
 /// Source: Lawson, "Generalized Runge-Kutta processes for stable systems with large Lipschitz constants",
 /// 1967.
 struct StageWeights
 {
-    std::array<Tableau::Row, Tableau::maxStages + 1> place{}; ///< frames
-    std::array<Tableau::Row, Tableau::maxStages + 1> speed{}; ///< frames
-    std::array<double, Tableau::maxStages + 1> keep{};        ///< damping factor e^(-c t) at each stage
+    std::array<Tableau::Row, Tableau::maxStages + 1> position{}; ///< frames
+    std::array<Tableau::Row, Tableau::maxStages + 1> velocity{}; ///< frames
+    std::array<double, Tableau::maxStages + 1> keep{};           ///< damping factor e^(-c t) at each stage
 
     /// The arguments of the last set().
     const Tableau *tableau = nullptr;
@@ -58,12 +58,12 @@ void blend(
         sum[i] = share * base[i];
     for (int j = 0; j < count; ++j) {
         double w = weights[j];
-        const double *slope =
+        const double *column =
             columns + j * size;
         if (w == 0)
             continue;
         for (int i = 0; i < lanes; ++i)
-            sum[i] += w * slope[i];
+            sum[i] += w * column[i];
     }
     for (int i = 0; i < lanes; ++i)
         out[i] = sum[i];

@@ -2,8 +2,10 @@
 
 #include "sim/base/error.h"
 #include "sim/methods/zero_accelerations.h"
+#include "sim/pipeline/phase_builder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim {
 
@@ -12,13 +14,6 @@ namespace {
 PointRange everything(const Scene &scene)
 {
     return {0, scene.start.pointCount()};
-}
-
-/// Returns whether `effect` is a driver that needs a separate phase. The equations include all other drivers.
-bool isImpulsiveDriver(const Effect &effect)
-{
-    const auto *driver = as<Driver>(effect);
-    return driver && driver->timing() == DriverTiming::impulsive;
 }
 
 /// Returns whether an implicit method can compute `effect`: a force or torque needs a Jacobian, a drag a
@@ -31,45 +26,9 @@ bool fits(const Effect &effect, const State &state)
         return force->addJacobian(state, all, 1.0, DirectionRule::regularised, jacobian);
     if (const auto *torque = as<Torque>(effect))
         return torque->addJacobian(state, all, 1.0, jacobian);
-    if (const auto *drag = as<Drag>(effect)) {
-        for (int i = 0; i < state.pointCount(); ++i) {
-            if (!drag->dampingRate(i))
-                return false;
-        }
-        return true;
-    }
+    if (const auto *drag = as<Drag>(effect))
+        return hasDampingRate(*drag, all);
     return as<Driver>(effect) || as<Contact>(effect);
-}
-
-Phase phaseOf(const EffectPtr &effect, const Scene &scene)
-{
-    Phase phase;
-    phase.id = effect->id();
-    phase.title = effect->title();
-    phase.kind = effect->kind();
-    phase.effect = effect;
-    phase.points = everything(scene);
-    phase.regions = effect->regions(DirectionRule::regularised);
-    return phase;
-}
-
-Phase driverPhase(const std::shared_ptr<const Driver> &driver, const Scene &scene, double h)
-{
-    Phase phase = phaseOf(driver, scene);
-    phase.kernels = {{[driver, h](State &state) { driver->drive(state, h); }, {}}};
-    phase.explain = [driver](const State &before, const State &after, int point) {
-        return driver->explain(before, after, point);
-    };
-    return phase;
-}
-
-Phase contactPhase(const std::shared_ptr<const Contact> &contact, const Scene &scene)
-{
-    Phase phase = phaseOf(contact, scene);
-    phase.kernels = {
-        {[contact, all = everything(scene)](State &state) { contact->resolve(state, all); }, {}}};
-    phase.explain = motionChange;
-    return phase;
 }
 
 /// Explains the motion of a point, or of a branch if points have spins, with the variable names of the shown
@@ -135,36 +94,19 @@ Phase ImplicitMethod::solvePhase(const Scene &scene, double h) const
 std::vector<Phase> ImplicitMethod::phases(const Scene &scene, StepSize size) const
 {
     checkFit(scene);
-    std::vector<Phase> driversFirst, solve, contacts, driversLast;
-    bool leading = true;
-    for (const EffectPtr &effect : scene.effects) {
-        const auto driver = sharedAs<Driver>(effect);
-        leading = leading && driver;
-        if (effect->count(scene.start, everything(scene)) == 0)
-            continue;
-        if (driver && isImpulsiveDriver(*driver))
-            (leading ? driversFirst : driversLast).push_back(driverPhase(driver, scene, size.h));
-        else if (const auto contact = sharedAs<Contact>(effect))
-            contacts.push_back(contactPhase(contact, scene));
-    }
-    Phase solvePhase = this->solvePhase(scene, size.h);
-    bool anyMoves = false;
-    for (int i = 0; i < scene.start.pointCount(); ++i)
-        anyMoves = anyMoves || (scene.start.isDynamic(i) && scene.movesByVelocity(i));
-    if (anyMoves || !solvePhase.innerEffects.empty())
-        solve.push_back(std::move(solvePhase));
-    std::vector<Phase> phases;
-    const auto add = [&phases](const std::vector<Phase> &more) {
-        phases.insert(phases.end(), more.begin(), more.end());
-    };
+    PhaseBuilder step(scene, directionRule(), size.h);
+    Phase solve = solvePhase(scene, size.h);
+    const bool anyChange = step.anyMoves() || !solve.innerEffects.empty();
     //! [implicit_order]
-    add(driversFirst);
+    PhasePoints all = step.allPoints();
+    step.leadingImpulses();
     // all forces, damping and motion
-    add(solve);
-    add(contacts);
-    add(driversLast);
+    if (anyChange)
+        step.add(std::move(solve));
+    step.contacts(all);
+    step.trailingImpulses();
     //! [implicit_order]
-    return phases;
+    return step.take();
 }
 
 }

@@ -14,28 +14,28 @@ namespace {
 constexpr int maxHalvings = 6;
 
 /// Returns whether a change of velocities changes the positions by at most `share` of their size (plus 1).
-bool isWithin(double share, const Numbers &change, double reach, const Numbers &place)
+bool isWithin(double share, const Numbers &change, double reach, const Numbers &x)
 {
-    return (reach * change.abs() <= share * (1.0 + place.abs())).all();
+    return (reach * change.abs() <= share * (1.0 + x.abs())).all();
 }
 
 /// Returns whether a correction is so small that the next one would be lost in rounding.
-bool isTiny(const Numbers &step, double reach, const Numbers &place)
+bool isTiny(const Numbers &step, double reach, const Numbers &x)
 {
-    return isWithin(1e-12, step, reach, place);
+    return isWithin(1e-12, step, reach, x);
 }
 
 /// Returns whether a correction is far below what is visible, though not lost in rounding.
-bool isClose(const Numbers &step, double reach, const Numbers &place)
+bool isClose(const Numbers &step, double reach, const Numbers &x)
 {
-    return isWithin(1e-9, step, reach, place);
+    return isWithin(1e-9, step, reach, x);
 }
 
 /// Returns whether corrections no longer shrink although forces are linear over such small distances. Then
 /// they only follow the rounding errors of stiff springs.
-bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
+bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &x)
 {
-    return next.abs().maxCoeff() >= step.abs().maxCoeff() && isWithin(1e-6, next, reach, place);
+    return next.abs().maxCoeff() >= step.abs().maxCoeff() && isWithin(1e-6, next, reach, x);
 }
 
 }
@@ -72,7 +72,7 @@ std::vector<int> Equations::unknowns(const State &state) const
 }
 
 /// The equation that solve() solves: u = drift + share a(from + reach u).
-struct ImplicitStep::Wanted
+struct ImplicitStep::VelocityEquation
 {
     const Numbers &from;
     const Numbers &drift;
@@ -93,12 +93,12 @@ ImplicitStep::ImplicitStep(const Equations &equations, State &state, CorrectionL
     }
 }
 
-Numbers ImplicitStep::pulls(const Numbers &place, const Numbers &speed)
+Numbers ImplicitStep::accelerations(const Numbers &x, const Numbers &v)
 {
-    Numbers a(place.size());
-    m_equations.system().writePositions(place.data(), m_state);
+    Numbers a(x.size());
+    m_equations.system().writePositions(x.data(), m_state);
     if (m_equations.system().readsVelocities())
-        m_equations.system().writeVelocities(speed.data(), m_state);
+        m_equations.system().writeVelocities(v.data(), m_state);
     m_equations.system().accelerations(m_state, a.data());
     m_state.pointEvaluations += m_state.pointCount();
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
@@ -108,8 +108,8 @@ Numbers ImplicitStep::pulls(const Numbers &place, const Numbers &speed)
     return a;
 }
 
-/// Returns the velocity that leads from `wanted.from` to the positions of the state.
-Numbers ImplicitStep::initialVelocity(const Wanted &wanted) const
+/// Returns the velocity that leads from `equation.from` to the positions of the state.
+Numbers ImplicitStep::initialVelocity(const VelocityEquation &equation) const
 {
     UnknownMotion now = motion;
     m_equations.system().readState(m_state, now.x.data(), now.v.data());
@@ -117,19 +117,19 @@ Numbers ImplicitStep::initialVelocity(const Wanted &wanted) const
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         const auto i = static_cast<Eigen::Index>(row);
         if (m_unknowns[row] >= 0)
-            u[i] = (now.x[i] - wanted.from[i]) / wanted.reach;
+            u[i] = (now.x[i] - equation.from[i]) / equation.reach;
     }
     return u;
 }
 
 /// Returns the residual of `u`. Moves the state to the positions that belong to `u`.
-Numbers ImplicitStep::residualOf(const Wanted &wanted, const Numbers &u)
+Numbers ImplicitStep::residualOf(const VelocityEquation &equation, const Numbers &u)
 {
-    return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u, u);
+    return u - equation.drift - equation.share * accelerations(equation.from + equation.reach * u, u);
 }
 
 /// Returns the derivatives of the residual by u at the positions of the state, without the 1 on the diagonal.
-std::vector<Jacobian::Entry> ImplicitStep::residualDerivatives(const Wanted &wanted,
+std::vector<Jacobian::Entry> ImplicitStep::residualDerivatives(const VelocityEquation &equation,
                                                                Projection projection) const
 {
     Jacobian jacobian(m_state.pointCount());
@@ -145,7 +145,7 @@ std::vector<Jacobian::Entry> ImplicitStep::residualDerivatives(const Wanted &wan
         const int row = m_unknowns[static_cast<std::size_t>(entry.row)];
         const int column = m_unknowns[static_cast<std::size_t>(entry.column)];
         if (row >= 0 && column >= 0)
-            entries.push_back({row, column, -wanted.share[entry.row] * wanted.reach * entry.value});
+            entries.push_back({row, column, -equation.share[entry.row] * equation.reach * entry.value});
     }
     return entries;
 }
@@ -173,50 +173,51 @@ Numbers ImplicitStep::correctionOf(const Numbers &residual, const Numbers &share
 }
 
 /// Returns the change that Newton's method subtracts from `u`, with the Jacobian at `u`.
-Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
+Numbers ImplicitStep::correction(const VelocityEquation &equation, const Numbers &u)
 {
-    const Numbers residual = residualOf(wanted, u);
-    if (isWithin(1e-15, residual, wanted.reach, wanted.from))
+    const Numbers residual = residualOf(equation, u);
+    if (isWithin(1e-15, residual, equation.reach, equation.from))
         return Numbers::Zero(u.size()); // only rounding: not worth a matrix
-    return correctionOf(residual, wanted.share, residualDerivatives(wanted, Projection::none));
+    return correctionOf(residual, equation.share, residualDerivatives(equation, Projection::none));
 }
 
 /// Continues with the projected Jacobian (see nearestNegativeSemidefiniteBlocks()) after Newton's method did
 /// not converge. These corrections do not diverge, but rotations take more of them. Returns the candidate
 /// with the smallest residual, including `plain`, the result of Newton's method. If no candidate is usable,
 /// returns failedSolution().
-Numbers ImplicitStep::solveProjected(const Wanted &wanted, const Numbers &start, const Numbers &plain)
+Numbers ImplicitStep::solveProjected(const VelocityEquation &equation, const Numbers &start,
+                                     const Numbers &plain)
 {
     Numbers best = plain, u = start;
-    double smallest = residualOf(wanted, plain).abs().maxCoeff();
+    double smallest = residualOf(equation, plain).abs().maxCoeff();
     Numbers previousStep = Numbers::Constant(u.size(), std::numeric_limits<double>::infinity());
     bool metNonFinite = false;
     for (int i = 0; i < m_limits.projected; ++i) {
-        const Numbers residual = residualOf(wanted, u);
+        const Numbers residual = residualOf(equation, u);
         const double largest = residual.abs().maxCoeff();
         if (std::isfinite(largest) && !(largest >= smallest)) { // true also if `smallest` is NaN
             smallest = largest;
             best = u;
         }
         const Numbers step =
-            correctionOf(residual, wanted.share, residualDerivatives(wanted, Projection::semidefinite));
+            correctionOf(residual, equation.share, residualDerivatives(equation, Projection::semidefinite));
         metNonFinite = metNonFinite || !std::isfinite(largest) || !step.isFinite().all();
-        if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from) ||
-            isNoise(step, previousStep, wanted.reach, wanted.from))
+        if (!step.isFinite().all() || isTiny(step, equation.reach, equation.from) ||
+            isNoise(step, previousStep, equation.reach, equation.from))
             break;
         u = u - step;
         previousStep = step;
     }
     const bool isStart = (best == start).all();
-    return !std::isfinite(smallest) || (isStart && metNonFinite) ? failedSolution(wanted, start) : best;
+    return !std::isfinite(smallest) || (isStart && metNonFinite) ? failedSolution(equation, start) : best;
 }
 
 /// Returns the result of a failed solution: `start`, with NaN for the numbers whose residual is not finite
 /// there, or for all numbers if every residual is finite. Without NaN, the scene would silently stand still.
-Numbers ImplicitStep::failedSolution(const Wanted &wanted, const Numbers &start)
+Numbers ImplicitStep::failedSolution(const VelocityEquation &equation, const Numbers &start)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::Array<bool, Eigen::Dynamic, 1> areFinite = residualOf(wanted, start).isFinite();
+    const Eigen::Array<bool, Eigen::Dynamic, 1> areFinite = residualOf(equation, start).isFinite();
     if (areFinite.all())
         return Numbers::Constant(start.size(), nan);
     return areFinite.select(start, nan);
@@ -227,12 +228,12 @@ Numbers ImplicitStep::failedSolution(const Wanted &wanted, const Numbers &start)
 /// larger. To turn a stiff spring, Newton's method first stretches it slightly, which gives a large residual,
 /// and then corrects that. If the residual had to decrease in every step, the turn would take many tiny
 /// steps.
-Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &step)
+Numbers ImplicitStep::advance(const VelocityEquation &equation, Numbers &u, const Numbers &step)
 {
     double fraction = 1.0;
     for (int halvings = 0; halvings <= maxHalvings; ++halvings, fraction *= 0.5) {
         const Numbers candidate = u - fraction * step;
-        Numbers next = correction(wanted, candidate);
+        Numbers next = correction(equation, candidate);
         if (next.isFinite().all()) {
             u = candidate;
             return next;
@@ -243,22 +244,22 @@ Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &s
 
 Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
 {
-    const Wanted wanted{from, drift, reach, share};
+    const VelocityEquation equation{from, drift, reach, share};
     const int plain = m_limits.exact;
     // Shown lines are short.
     // clang-format off
     //! [newton]
-    // wanted: u = drift + share a(...)
+    // solves u = drift + share a(...)
     // at first, as if nothing moved
-    const Numbers start = initialVelocity(wanted);
+    const Numbers start = initialVelocity(equation);
     Numbers u = start;
     // as if pulls were linear here
-    Numbers step = correction(wanted, u);
+    Numbers step = correction(equation, u);
     for (int i = 0; i < plain; ++i) {
         if (isTiny(step, reach, from))
             return u - step;
         Numbers next =
-            advance(wanted, u, step);
+            advance(equation, u, step);
         if (!next.isFinite().all())
             break; // no finite step
         if (isNoise(next, step, reach, from))
@@ -268,7 +269,7 @@ Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double re
     if (isClose(step, reach, from))
         return u;
     // not converged: safer steps
-    return solveProjected(wanted, start, u);
+    return solveProjected(equation, start, u);
     //! [newton]
     // clang-format on
 }

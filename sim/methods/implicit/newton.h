@@ -56,9 +56,9 @@ public:
     void tick(double h) { m_equations.system().advanceDrivers(m_state, h); }
     /// Returns the damping factor of each number over `h` frames.
     Numbers kept(double h) const { return m_equations.kept(h); }
-    /// Returns the accelerations at the positions `place`, in px/frame^2 or degrees/frame^2; 0 for numbers
+    /// Returns the accelerations at the positions `x`, in px/frame^2 or degrees/frame^2; 0 for numbers
     /// that are not unknown.
-    Numbers pulls(const Numbers &place) { return pulls(place, motion.v); }
+    Numbers accelerations(const Numbers &x) { return accelerations(x, motion.v); }
     /// Returns the velocity u with u = drift + share a(from + reach u), by Newton's method. `reach` and
     /// `share` are in frames. The iteration starts at the positions of the state, because the nearest
     /// solution is the right one: in the others, springs have turned over within the step. It stops when
@@ -77,22 +77,23 @@ public:
     void finish();
 
 private:
-    struct Wanted;
-    /// The same for forces that depend on the velocities `speed`.
-    Numbers pulls(const Numbers &place, const Numbers &speed);
-    Numbers initialVelocity(const Wanted &wanted) const;
-    Numbers residualOf(const Wanted &wanted, const Numbers &u);
-    Numbers correction(const Wanted &wanted, const Numbers &u);
+    struct VelocityEquation;
+    /// The same for forces that depend on the velocities `v`.
+    Numbers accelerations(const Numbers &x, const Numbers &v);
+    Numbers initialVelocity(const VelocityEquation &equation) const;
+    Numbers residualOf(const VelocityEquation &equation, const Numbers &u);
+    Numbers correction(const VelocityEquation &equation, const Numbers &u);
     enum class Projection {
         none,         ///< the exact Jacobian
         semidefinite, ///< see nearestNegativeSemidefiniteBlocks()
     };
-    std::vector<Jacobian::Entry> residualDerivatives(const Wanted &wanted, Projection projection) const;
+    std::vector<Jacobian::Entry> residualDerivatives(const VelocityEquation &equation,
+                                                     Projection projection) const;
     Numbers correctionOf(const Numbers &residual, const Numbers &share,
                          const std::vector<Jacobian::Entry> &entries) const;
-    Numbers solveProjected(const Wanted &wanted, const Numbers &start, const Numbers &plain);
-    Numbers failedSolution(const Wanted &wanted, const Numbers &start);
-    Numbers advance(const Wanted &wanted, Numbers &u, const Numbers &step);
+    Numbers solveProjected(const VelocityEquation &equation, const Numbers &start, const Numbers &plain);
+    Numbers failedSolution(const VelocityEquation &equation, const Numbers &start);
+    Numbers advance(const VelocityEquation &equation, Numbers &u, const Numbers &step);
 
     const Equations &m_equations;
     State &m_state;

@@ -17,7 +17,7 @@ void trBdf2(ImplicitStep &step, double h)
     // trapezoid, to 0.586 h
     double gamma = 2 - std::sqrt(2);
     double half = gamma / 2 * h;
-    Numbers a = step.pulls(x);
+    Numbers a = step.accelerations(x);
     step.tick(gamma * h);
     Numbers v1 = step.solve(
         x + half * v, v + half * a, half);

@@ -159,7 +159,7 @@ private slots:
         Ledger ledger;
         const StoredEnergyReader reader(track.interval().scene);
         for (std::int64_t frame = 1; frame <= 10; ++frame) {
-            const Balance step = ledger.row(track, frame).value();
+            const Balance step = ledger.balanceAt(track, frame).value();
             const StoredEnergy is = reader.read(track.stateAt(frame)),
                                was = reader.read(track.stateAt(frame - 1));
             const double scale = 1.0 + std::abs(is.moving) + std::abs(is.springs) + std::abs(is.gravity);
@@ -184,12 +184,12 @@ private slots:
         Track track(script, Timeline::defaultBudget);
         track.seek({5, 0});
         Ledger ledger;
-        const Balance step = ledger.row(track, 5).value();
+        const Balance step = ledger.balanceAt(track, 5).value();
         const Vec2 x = track.stateAt(4).positionOf(0);
         const double changed = 0.5 * 0.2 * (x.x * x.x + x.y * x.y);
         QVERIFY(std::abs(step.energy[Account::changes] - changed) < 1e-9);
         QCOMPARE(step.energy[Account::hand], 0.0);
-        QCOMPARE(ledger.row(track, 4)->energy[Account::changes], 0.0);
+        QCOMPARE(ledger.balanceAt(track, 4)->energy[Account::changes], 0.0);
     }
 
     void sticksHaveTheirOwnAccount_data()
@@ -222,7 +222,7 @@ private slots:
         QVERIFY(StoredEnergyReader::whyNot(fixed) == NoEnergy::nothingMoves);
         Track track(scriptOf(scene, "semi_implicit_euler", 1.0), 0);
         track.seek({1, 0});
-        QVERIFY(!Ledger().row(track, 1));
+        QVERIFY(!Ledger().balanceAt(track, 1));
     }
 
     void forceIsTheNegativeGradientOfPotentialEnergy_data()

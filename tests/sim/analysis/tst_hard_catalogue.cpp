@@ -126,8 +126,8 @@ void TestHardCatalogue::casesAreComplete()
         QVERIFY2(!testCase.title.empty() && testCase.story.ends_with('.'), id);
         QVERIFY2(!testCase.requirements.empty(), id);
         QVERIFY2(testCase.brief.frames > 0 && testCase.brief.frames <= testCase.full.frames, id);
-        QVERIFY2(testCase.hasRequirement(Requirement::refused) == !testCase.refusal.empty(), id);
-        if (testCase.hasRequirement(Requirement::refused))
+        QVERIFY2(testCase.hasRequirement(Requirement::rejected) == !testCase.expectedError.empty(), id);
+        if (testCase.hasRequirement(Requirement::rejected))
             continue;
         QVERIFY2(testCase.bound.reach > 0.0, id);
         QVERIFY2(testCase.stiffest.has_value() || !testCase.hasRequirement(Requirement::oscillates), id);
@@ -168,7 +168,7 @@ void TestHardCatalogue::everyClaimHolds()
     QVERIFY2(verdict.holds, messageOf(verdict.why));
     QVERIFY(!verdict.isBroken());
     const bool mayEndEarly =
-        testCase.hasRequirement(Requirement::refused) || testCase.hasRequirement(Requirement::overflows);
+        testCase.hasRequirement(Requirement::rejected) || testCase.hasRequirement(Requirement::overflows);
     QVERIFY(mayEndEarly || verdict.frames == testCase.brief.frames);
 }
 

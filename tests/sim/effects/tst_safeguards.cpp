@@ -57,7 +57,7 @@ StepResult firstImplicitStep(double k, int feet, double out, CorrectionLimits ja
     const Numbers from = step.motion.x, drift = step.motion.v, share = step.kept(1.0);
     const Numbers u = step.solve(from, drift, 1.0, share);
     const auto evaluations = static_cast<std::int64_t>(state.forceEvaluations());
-    const Numbers residual = u - drift - share * step.pulls(from + u);
+    const Numbers residual = u - drift - share * step.accelerations(from + u);
     return {residual.abs().maxCoeff(), evaluations};
 }
 

@@ -151,7 +151,7 @@ private slots:
         Track track(dampedPoint(), 1 << 20);
         track.seek({1024, 0});
         Ledger ledger;
-        const std::optional<Balance> step = ledger.row(track, 1023);
+        const std::optional<Balance> step = ledger.balanceAt(track, 1023);
         QVERIFY(step);
         QCOMPARE(step->after.momentum.x, 0.0);
         QVERIFY(keepsDenormals());

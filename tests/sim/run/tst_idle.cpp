@@ -149,12 +149,6 @@ Scene sceneWith(Scene scene, const EffectPtr &effect)
     return scene;
 }
 
-bool computesEffect(const Phase &phase, const EffectPtr &effect)
-{
-    return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
-                                               effect) != phase.innerEffects.end();
-}
-
 Pipeline pipelineOf(const Scene &scene, const std::string &method)
 {
     const MethodPtr rule = findMethod(method);
@@ -196,7 +190,7 @@ private slots:
             const Pipeline pipeline = pipelineOf(scene, method->id());
             QCOMPARE(pipeline.idleEffects, std::vector<EffectPtr>{testCase.idle});
             for (const Phase &phase : pipeline.phases)
-                QVERIFY2(!computesEffect(phase, testCase.idle), phase.id.c_str());
+                QVERIFY2(!computes(phase, testCase.idle), phase.id.c_str());
         }
         QVERIFY(fitting > 3);
         QVERIFY(pipelineOf(sceneWith(sceneOf(testCase), testCase.active), "semi_implicit_euler")

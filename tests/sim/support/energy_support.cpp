@@ -18,7 +18,7 @@ LedgerTotals totalsOf(const Script &script, int frames)
     Ledger ledger;
     LedgerTotals totals;
     for (std::int64_t frame = track.framesPerOutput(); frame <= frames; frame += track.framesPerOutput()) {
-        const Balance step = ledger.row(track, frame).value();
+        const Balance step = ledger.balanceAt(track, frame).value();
         if (frame == track.framesPerOutput())
             totals.balance.before = step.before;
         totals.balance.append(step);

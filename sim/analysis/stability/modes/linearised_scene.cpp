@@ -135,16 +135,6 @@ std::vector<PointRange> forceRanges(const Scene &scene)
     return ranges;
 }
 
-/// Returns whether the drag has a damping rate for every point.
-bool hasDampingRates(const Drag &drag, int points)
-{
-    for (int i = 0; i < points; ++i) {
-        if (!drag.dampingRate(i))
-            return false;
-    }
-    return true;
-}
-
 State restState(const Scene &scene, const State &state)
 {
     State rest = State::ofPoints(state.pointCount());
@@ -241,7 +231,7 @@ LinearisedScene linearise(const Scene &scene, const State &state, const Method &
                 rangeEntries.push_back({range, restoringEntries(jacobian, points)});
             }
             addForce(linearised, effect, std::move(rangeEntries));
-        } else if (drag && hasDampingRates(*drag, points)) {
+        } else if (drag && hasDampingRate(*drag, everything)) {
             linearised.scene.effects.push_back(effect);
         } else if (!driver || driver->timing() == DriverTiming::impulsive) {
             linearised.ignored.push_back(effect);

@@ -119,7 +119,7 @@ public:
     int extraStages() const override { return 3; }
     int denseColumns() const override { return 16; }
 
-    void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
+    void makeDense(const StepData &step, const double *endX, const double *endV,
                    double *columns) const override
     {
         Tableau::Row undamped{};
@@ -127,16 +127,16 @@ public:
             undamped[j] = step.rate == 0.0 ? 1.0 : 1.0 / step.keep[j];
         Tableau::Row ones{};
         ones.fill(1.0);
-        fill(step, step.place, endPlace, 1.0, step.speeds, ones, columns);
-        fill(step, step.speed, endSpeed, undamped[12], step.slopes, undamped, columns + 8 * step.size);
+        fill(step, step.x, endX, 1.0, step.velocities, ones, columns);
+        fill(step, step.v, endV, undamped[12], step.accelerations, undamped, columns + 8 * step.size);
     }
 
-    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *place,
-               double *speed) const override
+    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *x,
+               double *v) const override
     {
         for (int i = first; i < end; ++i) {
-            place[i - first] = value(columns + i, size, time.theta);
-            speed[i - first] = time.kept * value(columns + 8 * size + i, size, time.theta);
+            x[i - first] = value(columns + i, size, time.theta);
+            v[i - first] = time.kept * value(columns + 8 * size + i, size, time.theta);
         }
     }
 

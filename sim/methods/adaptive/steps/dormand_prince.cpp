@@ -44,29 +44,29 @@ public:
     int extraStages() const override { return 0; }
     int denseColumns() const override { return 6; }
 
-    void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
+    void makeDense(const StepData &step, const double *endX, const double *endV,
                    double *columns) const override
     {
         const double h = step.h;
-        const double *endSlopes = step.slopes + 6 * step.size;
+        const double *endAccelerations = step.accelerations + 6 * step.size;
         for (int i = step.first; i < step.end; ++i) {
-            const double x0 = step.place[i], x1 = endPlace[i];
-            const double v0 = h * step.speed[i], v1 = h * endSpeed[i];
-            const double a0 = h * h * (step.slopes[i] - step.rate * step.speed[i]);
-            const double a1 = h * h * (endSlopes[i] - step.rate * endSpeed[i]);
+            const double x0 = step.x[i], x1 = endX[i];
+            const double v0 = h * step.v[i], v1 = h * endV[i];
+            const double a0 = h * h * (step.accelerations[i] - step.rate * step.v[i]);
+            const double a1 = h * h * (endAccelerations[i] - step.rate * endV[i]);
             const Quintic quintic = Quintic::through(x0, v0, a0, x1, v1, a1);
             for (int j = 0; j < 6; ++j)
                 columns[j * step.size + i] = quintic.c[j];
         }
     }
 
-    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *place,
-               double *speed) const override
+    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *x,
+               double *v) const override
     {
         for (int i = first; i < end; ++i) {
             const NewtonPolynomial output = NewtonPolynomial::at<6>(columns + i, size, time.theta);
-            place[i - first] = output.value;
-            speed[i - first] = output.derivative / time.h;
+            x[i - first] = output.value;
+            v[i - first] = output.derivative / time.h;
         }
     }
 

@@ -9,16 +9,16 @@ namespace sim {
 /// velocity (see StageWeights). Each array has `size` numbers if not stated otherwise.
 struct StepData
 {
-    const double *place = nullptr;  ///< positions at the start
-    const double *speed = nullptr;  ///< velocities v at the start, where u = v
-    const double *speeds = nullptr; ///< velocities of each stage, `size` numbers per stage
-    const double *slopes = nullptr; ///< accelerations of each stage, `size` numbers per stage
-    int size = 0;                   ///< rows of q
-    int first = 0;                  ///< first row to compute; all rows to compute have the same damping rate
-    int end = 0;                    ///< the row after the last one to compute
-    double rate = 0.0;              ///< 1/frame, damping rate
-    double h = 0.0;                 ///< frames, length of the step
-    const double *keep = nullptr;   ///< damping factor at each stage
+    const double *x = nullptr;             ///< positions at the start
+    const double *v = nullptr;             ///< velocities v at the start, where u = v
+    const double *velocities = nullptr;    ///< velocities of each stage, `size` numbers per stage
+    const double *accelerations = nullptr; ///< accelerations of each stage, `size` numbers per stage
+    int size = 0;                          ///< rows of q
+    int first = 0;                ///< first row to compute; all rows to compute have the same damping rate
+    int end = 0;                  ///< the row after the last one to compute
+    double rate = 0.0;            ///< 1/frame, damping rate
+    double h = 0.0;               ///< frames, length of the step
+    const double *keep = nullptr; ///< damping factor at each stage
 };
 
 /// An embedded pair of explicit Runge-Kutta methods: a tableau whose last stage is at the end of the step, an
@@ -41,12 +41,12 @@ public:
     /// Returns the number of columns that the dense output needs.
     virtual int denseColumns() const = 0;
     /// Computes the columns of the dense output for the rows of `step`.
-    /// @param endPlace, endSpeed positions and velocities at the end
-    virtual void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
+    /// @param endX, endV positions and velocities at the end
+    virtual void makeDense(const StepData &step, const double *endX, const double *endV,
                            double *columns) const = 0;
     /// See StepRule::dense().
-    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &time,
-                       double *place, double *speed) const = 0;
+    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *x,
+                       double *v) const = 0;
 };
 
 /// Returns the pair of Dormand and Prince of orders 5 and 4. Its dense output is the polynomial of degree 5

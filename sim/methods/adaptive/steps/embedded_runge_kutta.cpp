@@ -6,20 +6,21 @@
 
 namespace sim {
 
-void EmbeddedRungeKutta::stage(const StepAttempt &step, int number, double *place) const
+void EmbeddedRungeKutta::stage(const StepAttempt &step, int number, double *x) const
 {
     const std::vector<OdeSystem::RateRange> &rateRanges = step.system.rateRanges();
     const int size = step.system.size();
     const auto row = static_cast<std::size_t>(number);
     for (std::size_t i = 0; i < rateRanges.size(); ++i) {
         const StageWeights &weights = (*step.weights)[i];
-        blendRows(place, step.place, 1.0, speeds(step), weights.place[row].data(), number,
+        blendRows(x, step.x, 1.0, stageVelocities(step), weights.position[row].data(), number,
                   rateRanges[i].first, rateRanges[i].end(), size);
-        blendRows(speeds(step) + number * size, step.speed, weights.keep[row], slopes(step),
-                  weights.speed[row].data(), number, rateRanges[i].first, rateRanges[i].end(), size);
+        blendRows(stageVelocities(step) + number * size, step.v, weights.keep[row], stageAccelerations(step),
+                  weights.velocity[row].data(), number, rateRanges[i].first, rateRanges[i].end(), size);
     }
-    step.accelerations.at(place, speeds(step) + number * size, step.start + m_pair.tableau().c[row] * step.h,
-                          slopes(step) + number * size);
+    step.accelerations.at(x, stageVelocities(step) + number * size,
+                          step.start + m_pair.tableau().c[row] * step.h,
+                          stageAccelerations(step) + number * size);
 }
 
 // Shown lines are short.
@@ -29,10 +30,10 @@ double EmbeddedRungeKutta::attempt(
     const StepAttempt &step) const
 {
     int size = step.system.size();
-    std::copy_n(step.speed, size,
-                speeds(step));
-    std::copy_n(step.slope, size,
-                slopes(step));
+    std::copy_n(step.v, size,
+                stageVelocities(step));
+    std::copy_n(step.a, size,
+                stageAccelerations(step));
     const auto &rows =
         step.system.rateRanges();
     const auto &table = m_pair.tableau();
@@ -42,13 +43,13 @@ double EmbeddedRungeKutta::attempt(
             rows[i].rate, step.h, stages());
     int last = table.stages - 1;
     for (int i = 1; i <= last; ++i)
-        stage(step, i, step.endPlace);
+        stage(step, i, step.endX);
     std::copy_n(
-        speeds(step) + last * size,
-        size, step.endSpeed);
+        stageVelocities(step) + last * size,
+        size, step.endV);
     std::copy_n(
-        slopes(step) + last * size,
-        size, step.endSlope);
+        stageAccelerations(step) + last * size,
+        size, step.endA);
     return error(step);
 }
 //! [embedded_step]
@@ -80,7 +81,7 @@ double EmbeddedRungeKutta::estimate(const StepAttempt &step, const Tableau::Row 
         for (std::size_t j = 0; j < static_cast<std::size_t>(stageCount); ++j)
             damped[j] =
                 keep[j] > 0.0 ? weights[j] * keep[static_cast<std::size_t>(stageCount) - 1] / keep[j] : 0.0;
-        const double *v = speeds(step), *a = slopes(step);
+        const double *v = stageVelocities(step), *a = stageAccelerations(step);
         blendRows(sum, v, 0.0, v, weights.data(), stageCount, first, end, size);
         largest = std::max(largest, maxAbs(sum + first, end - first));
         blendRows(sum, a, 0.0, a, damped.data(), stageCount, first, end, size);
@@ -94,14 +95,15 @@ void EmbeddedRungeKutta::makeDense(const StepAttempt &step) const
     const int size = step.system.size();
     for (int i = m_pair.tableau().stages; i < stages(); ++i)
         stage(step, i, step.scratch + size);
-    StepData data{step.place, step.speed, speeds(step), slopes(step), size, 0, 0, 0.0, step.h, nullptr};
+    StepData data{step.x, step.v, stageVelocities(step), stageAccelerations(step), size, 0, 0, 0.0,
+                  step.h, nullptr};
     for (std::size_t n = 0; n < step.system.rateRanges().size(); ++n) {
         const OdeSystem::RateRange &rows = step.system.rateRanges()[n];
         data.keep = (*step.weights)[n].keep.data();
         data.first = rows.first;
         data.end = rows.end();
         data.rate = std::isinf(rows.rate) ? 0.0 : rows.rate; // the points stand still
-        m_pair.makeDense(data, step.endPlace, step.endSpeed, step.columns);
+        m_pair.makeDense(data, step.endX, step.endV, step.columns);
     }
 }
 

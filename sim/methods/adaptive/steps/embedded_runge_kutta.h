@@ -20,21 +20,21 @@ public:
     double attempt(const StepAttempt &step) const override;
     void makeDense(const StepAttempt &step) const override;
     DenseTime instant(double rate, double h, double theta) const override;
-    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *place,
-               double *speed) const override
+    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *x,
+               double *v) const override
     {
-        m_pair.dense(columns, size, first, end, time, place, speed);
+        m_pair.dense(columns, size, first, end, time, x, v);
     }
 
 private:
     int stages() const { return m_pair.tableau().stages + m_pair.extraStages(); }
-    double *speeds(const StepAttempt &step) const { return step.scratch + 2 * step.system.size(); }
-    double *slopes(const StepAttempt &step) const
+    double *stageVelocities(const StepAttempt &step) const { return step.scratch + 2 * step.system.size(); }
+    double *stageAccelerations(const StepAttempt &step) const
     {
         return step.scratch + (2 + stages()) * step.system.size();
     }
-    /// Computes velocities and accelerations of stage `number`, and its positions in `place`.
-    void stage(const StepAttempt &step, int number, double *place) const;
+    /// Computes velocities and accelerations of stage `number`, and its positions in `x`.
+    void stage(const StepAttempt &step, int number, double *x) const;
     /// Returns the error of a step, px.
     double error(const StepAttempt &step) const;
     /// Returns the largest weighted sum of the velocities or accelerations of all stages (px/frame, or

@@ -30,19 +30,19 @@ NystromTableau nystromOfOrderEight()
     t.b = {223. / 7938,   0,          5875. / 36288, 4625. / 21168, 41. / 224, 4625. / 21168,
            5875. / 36288, 223. / 7938};
     //! [nystrom_tableau]
-    t.lowerPlace = {7987313. / 109941300, 0,
-                    1610737. / 44674560,  10023263. / 33505920,
-                    -497221. / 12409600,  10023263. / 78180480,
-                    1610737. / 402071040};
-    t.lowerSpeed = {7987313. / 109941300,
-                    0,
-                    1610737. / 40207104,
-                    10023263. / 23454144,
-                    -497221. / 6204800,
-                    10023263. / 23454144,
-                    1610737. / 40207104,
-                    -4251941. / 54970650,
-                    3. / 20};
+    t.lowerPosition = {7987313. / 109941300, 0,
+                       1610737. / 44674560,  10023263. / 33505920,
+                       -497221. / 12409600,  10023263. / 78180480,
+                       1610737. / 402071040};
+    t.lowerVelocity = {7987313. / 109941300,
+                       0,
+                       1610737. / 40207104,
+                       10023263. / 23454144,
+                       -497221. / 6204800,
+                       10023263. / 23454144,
+                       1610737. / 40207104,
+                       -4251941. / 54970650,
+                       3. / 20};
     return t;
 }
 
@@ -82,15 +82,16 @@ void NystromWeights::set(const NystromTableau &coefficients, double c, double st
     h = step;
     whole = c == 0.0 ? h : -std::expm1(-c * h) / c;
     const double kept = 1.0 - c * whole;
-    speed[0] = kept;
+    velocity[0] = kept;
     for (std::size_t j = 0; j < stages; ++j) {
         const double s = coefficients.c[j] * whole, factor = growth(s, c);
-        place[j][0] = s;
+        position[j][0] = s;
         for (std::size_t i = j + 1; i < stages; ++i)
-            place[i][j + 1] = whole * whole * coefficients.a[i][j] * factor;
-        speed[j + 1] = kept * whole * coefficients.b[j] * factor;
-        placeOff[j] = whole * whole * (coefficients.a[stages - 1][j] - coefficients.lowerPlace[j]) * factor;
-        speedOff[j] = kept * whole * (coefficients.b[j] - coefficients.lowerSpeed[j]) * factor;
+            position[i][j + 1] = whole * whole * coefficients.a[i][j] * factor;
+        velocity[j + 1] = kept * whole * coefficients.b[j] * factor;
+        positionError[j] =
+            whole * whole * (coefficients.a[stages - 1][j] - coefficients.lowerPosition[j]) * factor;
+        velocityError[j] = kept * whole * (coefficients.b[j] - coefficients.lowerVelocity[j]) * factor;
     }
 }
 
@@ -108,33 +109,33 @@ double RungeKuttaNystrom::attempt(
           *step.system.uniformRate(), step.h);
     double *v = step.scratch + n;
     double *a = stagesOf(step);
-    std::copy_n(step.speed, n, v);
-    std::copy_n(step.slope, n, a);
-    double *x = step.endPlace;
+    std::copy_n(step.v, n, v);
+    std::copy_n(step.a, n, a);
+    double *x = step.endX;
     for (int i = 1; i < w.stages; ++i) {
         // the velocity, and the
         // accelerations so far
         auto row = std::size_t(i);
-        blendRows(x, step.place, 1,
-            v, w.place[row].data(),
+        blendRows(x, step.x, 1,
+            v, w.position[row].data(),
             i + 1, 0, n, n);
-        double s = w.place[row][0];
+        double s = w.position[row][0];
         step.accelerations.at(x, nullptr,
             momentOf(step, s), a + i * n);
     }
-    blendRows(step.endSpeed,
-        step.speed, w.speed[0],
-        a, w.speed.data() + 1,
+    blendRows(step.endV,
+        step.v, w.velocity[0],
+        a, w.velocity.data() + 1,
         w.stages, 0, n, n);
     int last = w.stages - 1;
     std::copy_n(a + last * n, n,
-                step.endSlope);
+                step.endA);
     //! [nystrom_step]
-    double *off = step.scratch;
-    blendRows(off, a, 0.0, a, w.placeOff.data(), w.stages, 0, n, n);
-    const double positionError = maxAbs(off, n);
-    blendRows(off, a, 0.0, a, w.speedOff.data(), w.stages, 0, n, n);
-    return std::max(positionError, maxAbs(off, n));
+    double *difference = step.scratch;
+    blendRows(difference, a, 0.0, a, w.positionError.data(), w.stages, 0, n, n);
+    const double positionError = maxAbs(difference, n);
+    blendRows(difference, a, 0.0, a, w.velocityError.data(), w.stages, 0, n, n);
+    return std::max(positionError, maxAbs(difference, n));
 }
 // clang-format on
 
@@ -147,9 +148,8 @@ void RungeKuttaNystrom::makeDense(const StepAttempt &step) const
     const double *a = stagesOf(step), *end = a + (w.stages - 1) * n;
     double *middle = step.scratch;
     for (int i = 0; i < n; ++i) {
-        const Quintic q =
-            Quintic::through(step.place[i], w.whole * step.speed[i], square * a[i], step.endPlace[i],
-                             w.whole * step.endSpeed[i] / kept, square * factor * end[i]);
+        const Quintic q = Quintic::through(step.x[i], w.whole * step.v[i], square * a[i], step.endX[i],
+                                           w.whole * step.endV[i] / kept, square * factor * end[i]);
         for (int j = 0; j < 6; ++j)
             step.columns[j * n + i] = q.c[j];
         middle[i] = q.c[0] + q.c[1] / 2 + q.c[2] / 4 + q.c[3] / 8 - q.c[4] / 16 + q.c[5] / 32;
@@ -172,14 +172,14 @@ DenseTime RungeKuttaNystrom::instant(double rate, double h, double theta) const
 }
 
 void RungeKuttaNystrom::dense(const double *columns, int size, int first, int end, const DenseTime &time,
-                              double *place, double *speed) const
+                              double *x, double *v) const
 {
     dispatch([=] {
         SIM_INDEPENDENT_ITERATIONS
         for (int i = 0; i < end - first; ++i) {
             const NewtonPolynomial output = NewtonPolynomial::at<7>(columns + first + i, size, time.share);
-            place[i] = output.value;
-            speed[i] = time.kept * output.derivative / time.whole;
+            x[i] = output.value;
+            v[i] = time.kept * output.derivative / time.whole;
         }
     });
 }

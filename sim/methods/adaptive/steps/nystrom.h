@@ -14,10 +14,10 @@ struct NystromTableau
     static constexpr int stages = 9;
     using Row = std::array<double, stages>;
 
-    Row c{};                        ///< time of each stage, as a share of the step
-    std::array<Row, stages> a{};    ///< weights for the position of each stage; last row: end of the step
-    Row b{};                        ///< weights for the velocity at the end
-    Row lowerPlace{}, lowerSpeed{}; ///< weights of order 6 for the position and velocity at the end
+    Row c{};                     ///< time of each stage, as a share of the step
+    std::array<Row, stages> a{}; ///< weights for the position of each stage; last row: end of the step
+    Row b{};                     ///< weights for the velocity at the end
+    Row lowerPosition{}, lowerVelocity{}; ///< weights of order 6 for the position and velocity at the end
 };
 
 /// The weights of a step of h frames for the accelerations a of its stages. Damping at a rate c is exact: the
@@ -31,12 +31,12 @@ struct NystromWeights
 
     /// For the position of each stage: first the weight of the initial velocity, then those of the earlier
     /// stages.
-    std::array<Row, stages> place{};
-    Row speed{};                                ///< likewise, for the velocity at the end
-    NystromTableau::Row placeOff{}, speedOff{}; ///< differences to order 6
-    double whole = 0.0;                         ///< frames, s at the end of the step
-    double rate = -1.0;                         ///< 1/frame, damping rate c of the last set()
-    double h = 0.0;                             ///< frames, length of the step of the last set()
+    std::array<Row, stages> position{};
+    Row velocity{};                                       ///< likewise, for the velocity at the end
+    NystromTableau::Row positionError{}, velocityError{}; ///< differences to order 6
+    double whole = 0.0;                                   ///< frames, s at the end of the step
+    double rate = -1.0;                                   ///< 1/frame, damping rate c of the last set()
+    double h = 0.0;                                       ///< frames, length of the step of the last set()
 
     /// Computes the weights for a damping rate c and a step of `step` frames. Does nothing if both are the
     /// same as last time.
@@ -63,8 +63,8 @@ public:
     double attempt(const StepAttempt &step) const override;
     void makeDense(const StepAttempt &step) const override;
     DenseTime instant(double rate, double h, double theta) const override;
-    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *place,
-               double *speed) const override;
+    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *x,
+               double *v) const override;
 
 private:
     NystromTableau m_tableau;

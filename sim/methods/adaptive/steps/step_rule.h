@@ -18,14 +18,14 @@ struct StepAttempt
     double start = 0.0; ///< frames after the last whole frame
     double h = 0.0;     ///< frames, length of the step
 
-    const double *place = nullptr; ///< positions at the start
-    const double *speed = nullptr; ///< velocities at the start
-    const double *slope = nullptr; ///< accelerations at the start
-    double *endPlace = nullptr;    ///< positions at the end
-    double *endSpeed = nullptr;    ///< velocities at the end
-    double *endSlope = nullptr;    ///< accelerations at the end
-    double *columns = nullptr;     ///< dense output, StepRule::denseColumns() columns
-    double *scratch = nullptr;     ///< StepRule::scratchColumns() columns
+    const double *x = nullptr; ///< positions at the start
+    const double *v = nullptr; ///< velocities at the start
+    const double *a = nullptr; ///< accelerations at the start
+    double *endX = nullptr;    ///< positions at the end
+    double *endV = nullptr;    ///< velocities at the end
+    double *endA = nullptr;    ///< accelerations at the end
+    double *columns = nullptr; ///< dense output, StepRule::denseColumns() columns
+    double *scratch = nullptr; ///< StepRule::scratchColumns() columns
 
     std::vector<StageWeights> *weights = nullptr; ///< one per rate range, kept between steps
     NystromWeights *nystrom = nullptr;            ///< kept between steps
@@ -66,10 +66,10 @@ public:
     virtual void makeDense(const StepAttempt &step) const = 0;
     /// Returns the time `theta` (a share of the step) for rows with damping rate `rate`.
     virtual DenseTime instant(double rate, double h, double theta) const = 0;
-    /// Computes positions and velocities of the rows from `first` to `end` - 1 at a time. `place` and `speed`
+    /// Computes positions and velocities of the rows from `first` to `end` - 1 at a time. `x` and `v`
     /// get one number per row.
-    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &time,
-                       double *place, double *speed) const = 0;
+    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *x,
+                       double *v) const = 0;
 };
 
 /// Returns the damping factor e^(-rate time) after `time` frames. Returns 1 for an infinite rate: those

@@ -131,22 +131,22 @@ ConjugateResult conjugateGradients(const SpringMatrix &matrix, const Eigen::Vect
 
 Eigen::VectorXd interleaved(const Eigen::VectorXd &columns)
 {
-    Eigen::VectorXd turns(columns.size());
+    Eigen::VectorXd pairs(columns.size());
     const Eigen::Index points = columns.size() / 2;
     for (Eigen::Index i = 0; i < points; ++i) {
-        turns[2 * i] = columns[i];
-        turns[2 * i + 1] = columns[points + i];
+        pairs[2 * i] = columns[i];
+        pairs[2 * i + 1] = columns[points + i];
     }
-    return turns;
+    return pairs;
 }
 
-Eigen::VectorXd separated(const Eigen::VectorXd &turns)
+Eigen::VectorXd separated(const Eigen::VectorXd &pairs)
 {
-    Eigen::VectorXd columns(turns.size());
-    const Eigen::Index points = turns.size() / 2;
+    Eigen::VectorXd columns(pairs.size());
+    const Eigen::Index points = pairs.size() / 2;
     for (Eigen::Index i = 0; i < points; ++i) {
-        columns[i] = turns[2 * i];
-        columns[points + i] = turns[2 * i + 1];
+        columns[i] = pairs[2 * i];
+        columns[points + i] = pairs[2 * i + 1];
     }
     return columns;
 }

@@ -65,6 +65,6 @@ ConjugateResult conjugateGradients(const SpringMatrix &matrix, const Eigen::Vect
 /// Returns a vector of all x, then all y, reordered so that x and y of a point are neighbours.
 Eigen::VectorXd interleaved(const Eigen::VectorXd &columns);
 /// Returns the vector in the original order: all x, then all y.
-Eigen::VectorXd separated(const Eigen::VectorXd &turns);
+Eigen::VectorXd separated(const Eigen::VectorXd &pairs);
 
 }
