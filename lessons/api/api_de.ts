@@ -8,7 +8,7 @@
         <translation>greif mit der Maus zu und lass wieder los.</translation>
     </message>
     <message>
-        <source>let go while the mouse moves, at %2&#x202f;px per frame or more. Yours left at %1.</source>
+        <source>let go while the mouse moves, at %2&#x202f;px per frame or more. You let go at %1.</source>
         <translation>lass los, während sich die Maus bewegt, mit %2&#x202f;px pro Bild oder mehr. Du hast bei %1 losgelassen.</translation>
     </message>
     <message>

@@ -8,7 +8,7 @@
         <translation>tómalo con el ratón y suéltalo.</translation>
     </message>
     <message>
-        <source>let go while the mouse moves, at %2&#x202f;px per frame or more. Yours left at %1.</source>
+        <source>let go while the mouse moves, at %2&#x202f;px per frame or more. You let go at %1.</source>
         <translation>suelta mientras el ratón se mueve, a %2&#x202f;px por fotograma o más. El tuyo salió a %1.</translation>
     </message>
     <message>

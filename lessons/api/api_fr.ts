@@ -8,7 +8,7 @@
         <translation>prends-le avec la souris, et lâche-le.</translation>
     </message>
     <message>
-        <source>let go while the mouse moves, at %2&#x202f;px per frame or more. Yours left at %1.</source>
+        <source>let go while the mouse moves, at %2&#x202f;px per frame or more. You let go at %1.</source>
         <translation>lâche pendant que la souris bouge, à %2&#x202f;px par image ou plus. Là, c’était %1.</translation>
     </message>
     <message>

@@ -46,18 +46,43 @@ sim::Vec2 toTarget(const Timeline &run)
     return run.state().input.target - run.state().positionOf(lead);
 }
 
-/// Returns the distance of the last click from the lead's position at that time, in px. 0 without a click.
-double clickDistance(const Timeline &run)
+/// A click: its position, and the state in which it was made.
+struct Click
 {
-    std::optional<double> distance;
+    sim::Vec2 at;
+    sim::State state;
+};
+
+/// Returns the last click up to the cursor.
+std::optional<Click> lastClick(const Timeline &run)
+{
+    std::optional<Click> last;
     for (const sim::Event &event : run.script().input) {
         const auto *target = std::get_if<sim::Target>(&event.what);
         if (!target || event.frame > run.cursor().frame + run.track().framesPerOutput())
             continue;
         const std::int64_t before = std::clamp<std::int64_t>(event.frame - 1, 0, run.cursor().frame);
-        distance = sim::length(target->at - run.track().stateAt(before).positionOf(lead));
+        last = {target->at, run.track().stateAt(before)};
     }
-    return distance.value_or(0.0);
+    return last;
+}
+
+/// Returns the distance of the last click from the lead's position at that time, in px. 0 without a click.
+double clickDistance(const Timeline &run)
+{
+    const std::optional<Click> click = lastClick(run);
+    return click ? sim::length(click->at - click->state.positionOf(lead)) : 0.0;
+}
+
+/// Returns whether the last click was in front of the creature, which looks from its tail to its lead.
+bool hasClickedAhead(const Timeline &run)
+{
+    const std::optional<Click> click = lastClick(run);
+    if (!click)
+        return false;
+    const sim::Vec2 head = click->state.positionOf(lead);
+    const sim::Vec2 back = click->state.positionOf(run.track().interval().scene.find("tail"));
+    return dot(click->at - head, head - back) > 0.0;
 }
 
 Condition clicked()
@@ -224,6 +249,7 @@ std::vector<Check> squashStretchChecks()
             .conditions =
                 {
                     clicked(),
+                    {hasClickedAhead, "ahead"},
                     atMost(32.0, spineLength, "spine", 0),
                 },
         },

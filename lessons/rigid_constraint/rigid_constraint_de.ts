@@ -36,8 +36,8 @@
         <translation>Wie weit ein Stab seine zwei Enden auseinanderhält.</translation>
     </message>
     <message>
-        <source>Share of p0</source>
-        <translation>Anteil von p0</translation>
+        <source>Share</source>
+        <translation>Anteil</translation>
     </message>
     <message>
         <source>The part of the error that p0 takes; p1 takes the rest.</source>

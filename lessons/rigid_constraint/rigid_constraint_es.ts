@@ -36,8 +36,8 @@
         <translation>A qué distancia mantiene una barra sus dos extremos.</translation>
     </message>
     <message>
-        <source>Share of p0</source>
-        <translation>Fracción de p0</translation>
+        <source>Share</source>
+        <translation>Fracción</translation>
     </message>
     <message>
         <source>The part of the error that p0 takes; p1 takes the rest.</source>

@@ -36,8 +36,8 @@
         <translation>Distance qu’une tige garde entre ses deux extrémités.</translation>
     </message>
     <message>
-        <source>Share of p0</source>
-        <translation>Part de p0</translation>
+        <source>Share</source>
+        <translation>Part</translation>
     </message>
     <message>
         <source>The part of the error that p0 takes; p1 takes the rest.</source>

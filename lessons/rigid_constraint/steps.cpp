@@ -36,7 +36,7 @@ Parameter share()
 {
     return {
         .id = "share",
-        .name = Text::tr("Share of p0"),
+        .name = Text::tr("Share"),
         .help = Text::tr("The part of the error that p0 takes; p1 takes the rest."),
         .defaultValue = 1.0,
         .min = 0.0,

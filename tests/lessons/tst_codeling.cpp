@@ -231,6 +231,7 @@ void Codeling::tailKeepsItsRestLength()
             QVERIFY(std::abs(sim::length(track.state().positionOf(0) - track.state().positionOf(1)) - 40.0) <=
                     1e-9);
         }
+        QVERIFY(!track.stop());
     }
 }
 

@@ -47,6 +47,7 @@ void CodelingBody::tailNeverPassesThroughLead()
             shortest = std::min(shortest, spine);
             longest = std::max(longest, spine);
         }
+        QVERIFY(!track.stop());
     }
     QVERIFY2(shortest > 15.0 && longest < 100.0,
              qPrintable(QStringLiteral("%1 %2").arg(shortest).arg(longest)));
@@ -87,6 +88,7 @@ void CodelingBody::areaIsConserved()
         minArea = std::min(minArea, area);
         maxArea = std::max(maxArea, area);
     }
+    QVERIFY(!track.stop());
     QVERIFY2(minArea > 1 - tolerance && maxArea < 1 + 1e-9, qPrintable(QString::number(minArea)));
 }
 
@@ -123,6 +125,7 @@ void CodelingBody::tentacleLinksKeepTheirLength()
             worst = std::max(worst, isRoot ? std::max(0.0, error) : std::abs(error));
         }
     }
+    QVERIFY(!track.stop());
     QVERIFY2(worst <= 1e-9, qPrintable(QString::number(worst)));
 }
 

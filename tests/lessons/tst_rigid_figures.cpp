@@ -224,6 +224,7 @@ void RigidFigures::freeFigureKeepsItsMomentum()
         const Eigen::Array2d now = track.state().velocity.colwise().sum();
         QVERIFY((now - start).abs().maxCoeff() <= 1e-9);
     }
+    QVERIFY(!track.stop());
 }
 
 /// A point that slides on the floor loses a speed of friction x gravity per frame, until it stays at rest.

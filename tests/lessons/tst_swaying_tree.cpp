@@ -297,10 +297,14 @@ void SwayingTree::heldBranchKeepsItsAngleAndMovesItsChildren()
     const double rad = angle * std::numbers::pi / 180.0;
     const double length = view.tree->length[static_cast<std::size_t>(held)];
     const sim::Vec2 end = sim::Vec2{200, 150} + length * sim::Vec2{std::cos(rad), std::sin(rad)};
+    int children = 0;
     for (int child = 0; child < run.state().pointCount(); ++child) {
-        if (view.tree->parent[static_cast<std::size_t>(child)] == held)
-            QVERIFY(sim::length(run.state().positionOf(child) - end) < 1e-9);
+        if (view.tree->parent[static_cast<std::size_t>(child)] != held)
+            continue;
+        ++children;
+        QVERIFY(sim::length(run.state().positionOf(child) - end) < 1e-9);
     }
+    QCOMPARE(children, id == u"trunk" ? 0 : 2);
     if (held == 0)
         return;
     run.seek({41, 0});

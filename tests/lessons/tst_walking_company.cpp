@@ -192,6 +192,7 @@ void WalkingCompany::fiveCreaturesStayInTheRoom()
         QVERIFY(x.minCoeff() >= 20.0 && x.maxCoeff() <= 520.0);
         QVERIFY(y.minCoeff() > 150.0 && y.maxCoeff() <= 400.0);
     }
+    QVERIFY(!track.stop());
 }
 
 SUITE(tst_walking_company, WalkingCompany)

@@ -152,7 +152,7 @@ Condition thrownAtLeast(double minSpeed)
 {
     return saying(
         withRequired(
-            ConditionText::tr("let go while the mouse moves, at %2 px per frame or more. Yours left at %1."),
+            ConditionText::tr("let go while the mouse moves, at %2 px per frame or more. You let go at %1."),
             minSpeed),
         atLeast(minSpeed, releaseSpeed));
 }

@@ -27,7 +27,7 @@ struct Condition
     std::function<double(const sim::Timeline &)> measured = {}; ///< number for `%1`
     int decimals = 1;                                           ///< of the measured number
     /// Markdown without a capital at its start: what is still to do. For example "let go of the foot at 5 px
-    /// per frame or more. Yours left at %1." `%1` stands for `measured`. Empty if the text of the thing to
+    /// per frame or more. You let go at %1." `%1` stands for `measured`. Empty if the text of the thing to
     /// try says everything.
     QString todo = {};
     bool insideFrame = false; ///< whether it can hold between two phases of a frame only

@@ -153,7 +153,7 @@ ATTEMPTS(accuracy)
              p.drag("foot", p.at("foot") + sim::Vec2{20, 0}, 10);
              p.play(5);
          },
-         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
+         "let go while the mouse moves, at 5 px per frame or more. You let go at 2.0."},
     };
 }
 

@@ -152,7 +152,14 @@ ATTEMPTS(codeling)
              p.drag("lead", p.at("lead") + sim::Vec2{20, 0}, 10);
              p.play(100);
          },
-         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
+         "let go while the mouse moves, at 5 px per frame or more. You let go at 2.0."},
+        {"squash_stretch", 1, "sent behind its tail",
+         [](Player &p) {
+             p.play(5);
+             p.target({80, 200});
+             p.play(60);
+         },
+         "ahead"},
         {"squash_stretch", 2, "not 1",
          [](Player &p) {
              p.target({500, 80});

@@ -78,7 +78,7 @@ ATTEMPTS(gravity_walls)
              p.drag("body", p.at("body") + sim::Vec2{-40, 0}, 20);
              p.play(20);
          },
-         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
+         "let go while the mouse moves, at 5 px per frame or more. You let go at 2.0."},
         {"walls", 3, "not over the top",
          [](Player &p) {
              p.drag("body", p.at("body") + sim::Vec2{60, 0}, 10);

@@ -174,7 +174,7 @@ ATTEMPTS(rigid_constraint)
              p.drag("p0", p.at("p0") + sim::Vec2{-20, 0}, 10);
              p.play(5);
          },
-         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
+         "let go while the mouse moves, at 5 px per frame or more. You let go at 2.0."},
         {"ragdoll", 0, "not far enough",
          [](Player &p) {
              p.play(100);

@@ -126,7 +126,7 @@ ATTEMPTS(single_spring)
              p.drag("foot", {440, 120}, 20);
              p.play(200);
          },
-         "let go while the mouse moves, at 5 px per frame or more. Yours left at 1.0."},
+         "let go while the mouse moves, at 5 px per frame or more. You let go at 1.0."},
         {"drag", 1, "not yet still",
          [](Player &p) {
              p.drag("foot", {310, 170}, 6);
@@ -139,7 +139,7 @@ ATTEMPTS(single_spring)
              p.drag("foot", {440, 120}, 20);
              p.play(100);
          },
-         "let go while the mouse moves, at 5 px per frame or more. Yours left at 1.0."},
+         "let go while the mouse moves, at 5 px per frame or more. You let go at 1.0."},
         {"drag", 2, "after 40 frames",
          [](Player &p) {
              p.set("damp", 1.0);
