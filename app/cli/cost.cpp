@@ -2,13 +2,12 @@
 #include "app/cli/experiment_argument.h"
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/run/run_program.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 
 #include <QCoreApplication>
-
-#include <algorithm>
 
 namespace app {
 
@@ -63,7 +62,7 @@ std::vector<UnusedEffect> unusedEffects(const sim::Script &script, const sim::Pi
     all.effectsOff.clear();
     for (const sim::EffectPtr &effect : sceneOf(all, script.values).effects) {
         const auto &off = script.effectsOff;
-        if (std::find(off.begin(), off.end(), effect->id()) != off.end())
+        if (contains(off, effect->id()))
             unused.push_back({QString::fromStdString(effect->id()), CostText::tr("switched off")});
     }
     return unused;

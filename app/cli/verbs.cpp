@@ -113,8 +113,10 @@ const std::vector<Verb> &verbs()
                        "web page that plays it."),
          {experimentFile(),
           {"OUT",
-           VerbsText::tr("The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the "
-                         "number of the frame.")}},
+           VerbsText::tr(
+               "The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the "
+               "number of the frame with 4 digits, such as 0007. %d writes 7, and the files do not sort by "
+               "name.")}},
          {{"from", VerbsText::tr("The first frame."), "N", "0"},
           {"to", VerbsText::tr("The last frame (default: the file's number of frames)."), "N"},
           sizeOption("640x480"),

@@ -4,8 +4,11 @@
 
 #include <angelscript.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
+#include <utility>
 
 namespace listing {
 
@@ -35,6 +38,25 @@ std::string typeName(const Value &value)
     if (reference && reference->kind == BodyReference::Kind::stick)
         return "Stick";
     return names[value.index()];
+}
+
+bool isFinite(sim::Vec2 vector)
+{
+    return std::isfinite(vector.x) && std::isfinite(vector.y);
+}
+
+bool isFinite(const Value &value)
+{
+    const auto *number = std::get_if<double>(&value);
+    const auto *vector = std::get_if<sim::Vec2>(&value);
+    return number ? std::isfinite(*number) : !vector || isFinite(*vector);
+}
+
+void sortByPlace(std::span<CompileError> errors)
+{
+    std::stable_sort(errors.begin(), errors.end(), [](const CompileError &a, const CompileError &b) {
+        return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    });
 }
 
 void apply(const BodyMotion &motion, sim::State &state)

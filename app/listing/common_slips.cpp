@@ -4,7 +4,6 @@
 #include "app/listing/language_rules.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,31 +19,19 @@ const char *const loopForm = "A loop is written 'for (int i = 0; i < 5; i++)'.";
 const char *const vectorForm = "A place or a velocity is written 'Vec2(x, y)'.";
 const char *const memberForm = "Write '.' between a body and its member, for example 'body.position'.";
 
-bool isAnyOf(std::string_view word, std::initializer_list<std::string_view> words)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-Slip slip(const Token &token, std::string sentence)
-{
-    return errorAt(token, std::move(sentence));
-}
-
 /// Returns the mistake that the ';' at token `i` leaves a head such as `if (...)` without its lines.
 Slip emptyBody(const Tokens &tokens, std::size_t i, std::string_view head)
 {
-    return slip(tokens[i],
-                "This ';' ends " + quoted(head) + ", so that nothing belongs to it. Delete the ';'.");
+    return errorAt(tokens[i],
+                   "This ';' ends " + quoted(head) + ", so that nothing belongs to it. Delete the ';'.");
 }
 
 /// Returns whether the brackets that token `i` opens have `text` directly inside.
 bool hasInside(const Tokens &tokens, std::size_t i, std::string_view text)
 {
-    for (std::size_t inner = i + 1; inner < tokens.closing(i); ++inner) {
+    for (std::size_t inner = i + 1; inner < tokens.closing(i); inner = tokens.behind(inner)) {
         if (tokens.is(inner, text))
             return true;
-        if (opens(tokens[inner].text))
-            inner = tokens.closing(inner);
     }
     return false;
 }
@@ -53,28 +40,30 @@ bool hasInside(const Tokens &tokens, std::size_t i, std::string_view text)
 Slip unpairedBracket(const Tokens &tokens)
 {
     std::vector<std::size_t> open;
-    const auto withoutPartner = [&](std::size_t i, std::string_view partner) {
-        return slip(tokens[i], "This " + quoted(tokens[i].text) + " has no " + quoted(partner) + ".");
+    const auto partnerOf = [](std::string_view bracket) -> std::string_view {
+        static constexpr std::string_view brackets = "()[]{}";
+        return brackets.substr(brackets.find(bracket) ^ 1, 1);
+    };
+    const auto unpaired = [&](std::size_t i) {
+        return errorAt(tokens[i], "This " + quoted(tokens[i].text) + " has no " +
+                                      quoted(partnerOf(tokens[i].text)) + ".");
     };
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const std::string_view sign = tokens[i].text;
         const bool isInBrackets = !open.empty() && !tokens.is(open.back(), "{");
         const bool isForHead = isInBrackets && open.back() > 0 && tokens.is(open.back() - 1, "for");
         if (isInBrackets && (sign == "{" || sign == "}" || (sign == ";" && !isForHead)))
-            return withoutPartner(open.back(), tokens.is(open.back(), "(") ? ")" : "]");
+            return unpaired(open.back());
         if (opens(sign)) {
             open.push_back(i);
-            continue;
+        } else if (closes(sign)) {
+            if (open.empty() || !tokens.is(open.back(), partnerOf(sign)))
+                return unpaired(i);
+            open.pop_back();
         }
-        if (!closes(sign))
-            continue;
-        const std::string_view partner = sign == ")" ? "(" : sign == "]" ? "[" : "{";
-        if (open.empty() || !tokens.is(open.back(), partner))
-            return withoutPartner(i, partner);
-        open.pop_back();
     }
     if (!open.empty() && !tokens.is(open.back(), "{"))
-        return withoutPartner(open.back(), tokens.is(open.back(), "(") ? ")" : "]");
+        return unpaired(open.back());
     return {};
 }
 
@@ -87,7 +76,7 @@ Slip newArray(const Tokens &tokens)
             (isType && (tokens.is(i + 1, "[") || (tokens.isWord(i + 1) && tokens.is(i + 2, "[")))) ||
             (tokens.is(i, "array") && tokens.is(i + 1, "<") && tokens.isWord(i + 2) && tokens.is(i + 3, ">"));
         if (isArray)
-            return slip(tokens[i], "A listing cannot make arrays. Write a variable for each value.");
+            return errorAt(tokens[i], "A listing cannot make arrays. Write a variable for each value.");
     }
     return {};
 }
@@ -105,26 +94,18 @@ std::string_view factorOf(std::string_view number)
     return isExponent ? std::string_view() : number.substr(0, letter);
 }
 
-/// Returns a short whole number; nothing for any other text.
-std::optional<int> wholeNumber(std::string_view text)
-{
-    int number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool isWhole = error == std::errc() && end == text.data() + text.size();
-    return isWhole ? std::optional(number) : std::nullopt;
-}
-
 Slip numberSlip(const Tokens &tokens, std::size_t i)
 {
     const Token &number = tokens[i];
     const std::string text(number.text);
     const auto product = [&](const std::string &factor, const std::string &name) {
-        return slip(number, "Write '*' between a number and a name: " + quoted(factor + " * " + name) + ".");
+        return errorAt(number,
+                       "Write '*' between a number and a name: " + quoted(factor + " * " + name) + ".");
     };
     if (const std::string factor(factorOf(number.text)); !factor.empty()) {
         const bool isName =
             i > 0 && (isPrimitive(tokens[i - 1].text) || isAnyOf(tokens[i - 1].text, {"Vec2", "Body"}));
-        return isName ? slip(number, "A name begins with a letter.")
+        return isName ? errorAt(number, "A name begins with a letter.")
                       : product(factor, text.substr(factor.size()));
     }
     if (tokens.isWord(i + 1) && tokens[i + 1].line == number.line &&
@@ -132,22 +113,22 @@ Slip numberSlip(const Tokens &tokens, std::size_t i)
         return product(text, std::string(tokens[i + 1].text));
     if (tokens.is(i + 1, "/") && wholeNumber(text) && tokens.isWord(i + 2) && tokens.is(i + 3, ".") &&
         tokens.is(i + 4, "count"))
-        return slip(tokens[i + 1], "Between whole numbers, '/' drops the fraction. Write " +
-                                       quoted(text + ".0 / " + std::string(tokens[i + 2].text) + ".count") +
-                                       ".");
+        return errorAt(tokens[i + 1],
+                       "Between whole numbers, '/' drops the fraction. Write " +
+                           quoted(text + ".0 / " + std::string(tokens[i + 2].text) + ".count") + ".");
     if (i + 2 >= tokens.size() || tokens[i + 2].kind != Token::Kind::number)
         return {};
     const std::string next(tokens[i + 2].text);
     if (tokens.isInBlock(i) && tokens.touches(i, ",") && tokens[i + 2].offset == tokens[i + 1].end()) {
-        Slip found = slip(number, "A number has a point, not a comma: " + quoted(text + "." + next) + ".");
+        Slip found = errorAt(number, "A number has a point, not a comma: " + quoted(text + "." + next) + ".");
         found->length = static_cast<int>(tokens[i + 2].end() - number.offset);
         return found;
     }
     const std::optional<int> a = wholeNumber(number.text), b = wholeNumber(tokens[i + 2].text);
     if (tokens.is(i + 1, "/") && a && b && *b != 0 && *a % *b != 0)
-        return slip(tokens[i + 1], "Between whole numbers, '/' drops the fraction: this is " +
-                                       std::to_string(*a / *b) + ". Write " + quoted(text + ".0 / " + next) +
-                                       ".");
+        return errorAt(tokens[i + 1], "Between whole numbers, '/' drops the fraction: this is " +
+                                          std::to_string(*a / *b) + ". Write " +
+                                          quoted(text + ".0 / " + next) + ".");
     return {};
 }
 
@@ -170,14 +151,14 @@ Slip equalsSlip(const Tokens &tokens, std::size_t i)
 {
     if (tokens.touches(i, "=") && tokens.isInBlock(i) && beginsWithoutEffect(tokens, i) &&
         tokens[i - 1].end() <= tokens[i].offset && !isAnyOf(tokens[i - 1].text, {"!", "<", ">", "="}))
-        return slip(tokens[i], "'==' compares and changes nothing. To set a value, write '='.");
+        return errorAt(tokens[i], "'==' compares and changes nothing. To set a value, write '='.");
     if (tokens.touches(i, "+") && !tokens.touches(i + 1, "+"))
-        return slip(tokens[i], "Write '+=' to add to a value.");
+        return errorAt(tokens[i], "Write '+=' to add to a value.");
     if (tokens.touches(i, "-") && i + 2 < tokens.size() && tokens[i + 2].offset > tokens[i + 1].end())
-        return slip(tokens[i], "Write '-=' to subtract from a value.");
+        return errorAt(tokens[i], "Write '-=' to subtract from a value.");
     for (const char *const sign : {">", "<"}) {
         if (tokens.touches(i, sign))
-            return slip(tokens[i], "Write " + quoted(std::string(sign) + "=") + " to compare.");
+            return errorAt(tokens[i], "Write " + quoted(std::string(sign) + "=") + " to compare.");
     }
     return {};
 }
@@ -189,24 +170,24 @@ Slip signSlip(const Tokens &tokens, std::size_t i)
         return equalsSlip(tokens, i);
     if (sign == "(" && i > 0 && !closes(tokens[i - 1].text) && hasInside(tokens, i, ",") &&
         (!tokens.isWord(i - 1) || tokens.is(i - 1, "return")))
-        return slip(tokens[i], vectorForm);
+        return errorAt(tokens[i], vectorForm);
     if ((sign == "[" || sign == "{") && i > 0 && (tokens.is(i - 1, "=") || tokens.is(i - 1, "return")) &&
         hasInside(tokens, i, ","))
-        return slip(tokens[i], vectorForm);
+        return errorAt(tokens[i], vectorForm);
     if (sign == "]" && tokens.isWord(i + 1) && tokens[i + 1].line == tokens[i].line &&
         !isAnyOf(tokens[i + 1].text, {"and", "or", "else"}))
-        return slip(tokens[i + 1], "'.' is missing before " + quoted(tokens[i + 1].text) + ".");
+        return errorAt(tokens[i + 1], "'.' is missing before " + quoted(tokens[i + 1].text) + ".");
     if (sign == "," && i > 1 && tokens.isInBlock(i) && tokens.is(i - 2, ".") &&
         isAnyOf(tokens[i - 1].text, {"position", "velocity", "before"}) &&
         (tokens.is(i + 1, "x") || tokens.is(i + 1, "y")))
-        return slip(tokens[i], memberForm);
+        return errorAt(tokens[i], memberForm);
     if (sign == "<" && tokens.touches(i, ">"))
-        return slip(tokens[i], "Write '!=' to compare.");
+        return errorAt(tokens[i], "Write '!=' to compare.");
     if (isAnyOf(sign, {"+", "-", "*", "/"}) && tokens.is(i + 1, "=") && !tokens.touches(i, "=") &&
         !tokens.touches(i + 1, "="))
-        return slip(tokens[i], "Write " + quoted(sign + "=") + " without a space in between.");
+        return errorAt(tokens[i], "Write " + quoted(sign + "=") + " without a space in between.");
     if (sign == "-" && tokens.touches(i, ">"))
-        return slip(tokens[i], memberForm);
+        return errorAt(tokens[i], memberForm);
     return {};
 }
 
@@ -214,13 +195,13 @@ Slip conditionSlip(const Tokens &tokens, std::size_t i)
 {
     const std::string word(tokens[i].text);
     if (!tokens.is(i + 1, "("))
-        return slip(tokens[i], "A condition stands in brackets: " + quoted(word + " (...)") + ".");
+        return errorAt(tokens[i], "A condition stands in brackets: " + quoted(word + " (...)") + ".");
     const std::size_t behind = tokens.closing(i + 1) + 1;
     if (tokens.is(behind, ":"))
-        return slip(tokens[behind],
-                    "No ':' stands here. The lines that belong to a condition stand between '{' and '}'.");
+        return errorAt(tokens[behind],
+                       "No ':' stands here. The lines that belong to a condition stand between '{' and '}'.");
     if (tokens.is(behind, "then"))
-        return slip(tokens[behind], "'then' is not part of this language. Leave it out.");
+        return errorAt(tokens[behind], "'then' is not part of this language. Leave it out.");
     if (word == "if" && tokens.is(behind, ";"))
         return emptyBody(tokens, behind, word);
     return {};
@@ -240,23 +221,23 @@ Slip keywordSlip(const Tokens &tokens, std::size_t i)
     const std::string word(tokens[i].text);
     if (const std::string lower = lowerCase(word);
         lower != word && isAnyOf(lower, {"if", "else", "for", "while", "return"}))
-        return slip(tokens[i], "Write " + quoted(lower) + " with small letters.");
+        return errorAt(tokens[i], "Write " + quoted(lower) + " with small letters.");
     if (isAnyOf(word, {"elif", "elseif", "elsif"}))
-        return slip(tokens[i], quoted(word) + " is not part of this language. Use 'else if'.");
+        return errorAt(tokens[i], quoted(word) + " is not part of this language. Use 'else if'.");
     if (word == "new" && tokens.isWord(i + 1))
-        return slip(tokens[i], "'new' is not part of this language. Leave it out.");
+        return errorAt(tokens[i], "'new' is not part of this language. Leave it out.");
     if (word == "for") {
         const bool isOverValues = hasInside(tokens, i + 1, ":") && !hasInside(tokens, i + 1, "?");
         const bool isWhole = tokens.is(i + 1, "(") && hasInside(tokens, i + 1, ";");
         if (!isWhole || isOverValues)
-            return slip(tokens[i], loopForm);
+            return errorAt(tokens[i], loopForm);
         const std::size_t behind = tokens.closing(i + 1) + 1;
         return tokens.is(behind, ";") ? emptyBody(tokens, behind, word) : Slip();
     }
     if (isAnyOf(word, {"if", "while"}))
         return conditionSlip(tokens, i);
     if (word == "else" && i > 0 && !isAnyOf(tokens[i - 1].text, {";", "{", "}"}))
-        return slip(tokens[i], "';' is missing before 'else'.");
+        return errorAt(tokens[i], "';' is missing before 'else'.");
     return {};
 }
 
@@ -292,7 +273,7 @@ Slip lineEndSlip(const Tokens &tokens, std::size_t i)
     if (!isBetweenLines || !tokens.isInBlock(i + 1) || isAnyOf(tokens[i + 1].text, {"and", "or", "else"}) ||
         !endsValue(tokens, i))
         return {};
-    return slip(tokens[i], "';' is missing at the end of this line.");
+    return errorAt(tokens[i], "';' is missing at the end of this line.");
 }
 
 /// Returns a mistake in the statement that begins at token `i`, outside of all functions.
@@ -303,18 +284,17 @@ Slip slipOutside(const Tokens &tokens, std::size_t i)
     const std::string_view word = tokens[i].text;
     const bool isControl = isAnyOf(word, {"if", "else", "for", "while", "do", "return", "break", "continue"});
     const bool isDefinition = isAnyOf(word, {"def", "func", "fn"}) && tokens.isWord(i + 1);
-    const bool isHead = tokens.is(i + 1, "(") && tokens.is(tokens.closing(i + 1) + 1, "{");
-    if (isDefinition || (!isControl && isHead))
-        return slip(tokens[i],
-                    "A function begins with the type of its result, for example 'void' or 'Vec2'.");
+    if (isDefinition || (!isControl && tokens.isHead(i)))
+        return errorAt(tokens[i],
+                       "A function begins with the type of its result, for example 'void' or 'Vec2'.");
     if (!isControl && tokens.isWord(i + 1)) { // a declaration
         const std::size_t behind = tokens.is(i + 2, "(") ? tokens.closing(i + 2) + 1 : tokens.size();
         const bool isCutOff = tokens.is(behind, ";") && tokens.is(behind + 1, "{");
         return isCutOff ? emptyBody(tokens, behind, tokens[i + 1].text) : Slip();
     }
-    return slip(tokens[i],
-                std::string("This stands outside of a function. ") +
-                    (i == 0 ? "Put it between the braces of a function." : "Look for a '}' too many above."));
+    return errorAt(tokens[i], std::string("This stands outside of a function. ") +
+                                  (i == 0 ? "Put it between the braces of a function."
+                                          : "Look for a '}' too many above."));
 }
 
 Slip slipOutside(const Tokens &tokens)
@@ -323,7 +303,7 @@ Slip slipOutside(const Tokens &tokens)
         if (Slip found = slipOutside(tokens, i))
             return found;
         while (i < tokens.size() && !tokens.is(i, ";") && !tokens.is(i, "{"))
-            i = opens(tokens[i].text) ? tokens.closing(i) + 1 : i + 1;
+            i = tokens.behind(i);
         i = tokens.is(i, "{") ? tokens.closing(i) + 1 : i + 1;
     }
     return {};
@@ -333,7 +313,7 @@ Slip slipOutside(const Tokens &tokens)
 std::size_t endOfCalculation(const Tokens &tokens, std::size_t i)
 {
     while (i < tokens.size() && !isAnyOf(tokens[i].text, {";", ","}) && !closes(tokens[i].text))
-        i = opens(tokens[i].text) ? tokens.closing(i) + 1 : i + 1;
+        i = tokens.behind(i);
     return std::min(i, tokens.size());
 }
 
@@ -383,10 +363,10 @@ Slip slipAt(const Tokens &tokens, std::size_t i)
     const bool isMemberCall = i > 0 && tokens.is(i - 1, ".") && tokens.is(i + 1, "(");
     if (isMemberCall && isAnyOf(tokens[i].text, {"position", "velocity", "before", "held", "mass", "radius",
                                                  "angle", "spin", "x", "y", "count"}))
-        return slip(tokens[i], quoted(tokens[i].text) + " is not a function. Write it without '()'.");
+        return errorAt(tokens[i], quoted(tokens[i].text) + " is not a function. Write it without '()'.");
     if (isMemberCall)
-        return slip(tokens[i],
-                    "A function stands alone here: " + quoted(std::string(tokens[i].text) + "(...)") + ".");
+        return errorAt(tokens[i], "A function stands alone here: " +
+                                      quoted(std::string(tokens[i].text) + "(...)") + ".");
     return keywordSlip(tokens, i);
 }
 
@@ -395,7 +375,7 @@ Slip slipAt(const Tokens &tokens, std::size_t i)
 std::optional<CompileError> commonSlip(const Tokens &tokens)
 {
     if (tokens.openComment())
-        return slip(*tokens.openComment(), "This '/*' has no '*/'.");
+        return errorAt(*tokens.openComment(), "This '/*' has no '*/'.");
     if (Slip found = newArray(tokens))
         return found;
     if (Slip found = slipOutside(tokens))
@@ -419,8 +399,8 @@ std::optional<CompileError> unusedValue(const Tokens &tokens)
         const std::string_view text = tokens[i].text;
         const bool ends = text == ";" && tokens.isInBlock(i);
         if (ends && i > begin && !mayMatter)
-            return slip(tokens[begin],
-                        "This computes a value, and nothing keeps it. To set a value, write '='.");
+            return errorAt(tokens[begin],
+                           "This computes a value, and nothing keeps it. To set a value, write '='.");
         if (ends || text == "{" || text == "}") {
             begin = i + 1;
             mayMatter = false;

@@ -1,6 +1,7 @@
 #include "app/listing/compile_sentences.h"
 
 #include "app/listing/language.h"
+#include "app/listing/language_rules.h"
 
 #include <algorithm>
 #include <optional>
@@ -36,11 +37,6 @@ std::optional<Gaps> gapsOf(std::string_view message, std::string_view pattern)
     return gaps;
 }
 
-std::string quotedName(const std::string &text)
-{
-    return "'" + text + "'";
-}
-
 /// Returns a type or a call as listings write it: without `const`, `&` and `@`.
 std::string plainType(std::string type)
 {
@@ -70,24 +66,12 @@ std::string withArticle(const std::string &article, const std::string &type)
 std::string hintFor(const std::string &word, const std::vector<std::string> &candidates)
 {
     const std::string closest = closestName(word, candidates);
-    return closest.empty() ? std::string() : " Did you mean " + quotedName(closest) + "?";
+    return closest.empty() ? std::string() : " Did you mean " + quoted(closest) + "?";
 }
 
 bool has(const std::vector<std::string> &names, const std::string &name)
 {
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::vector<std::string> bodyNames(const Vocabulary &vocabulary)
-{
-    std::vector<std::string> names = vocabulary.bodies;
-    for (const Vocabulary::Array &array : vocabulary.arrays)
-        names.push_back(array.name);
-    if (vocabulary.hasCreatures)
-        names.push_back("creatures");
-    if (vocabulary.hasSticks)
-        names.push_back("sticks");
-    return names;
 }
 
 std::vector<std::string> typeNames(const Vocabulary &vocabulary)
@@ -109,12 +93,7 @@ std::vector<std::string> allNames(const MarkedPlace &place)
     append(place.vocabulary.parameters);
     append(place.declared);
     append(commonNames());
-    if (place.vocabulary.hasGait && !place.vocabulary.hasCreatures)
-        append({"gait", "gait_speed"});
-    if (place.vocabulary.hasTree)
-        append({"gust", "gust_known"});
-    if (place.vocabulary.hasGust)
-        append({"gust_front", "gust_tail"});
+    append(clockNames(place.vocabulary));
     return names;
 }
 
@@ -143,9 +122,9 @@ std::string noMember(const Gaps &gaps, const MarkedPlace &place)
                              : type == "Targets"                    ? "the new targets"
                              : type == "Keys"                       ? "the keys"
                                                                     : type;
-    const std::string sentence = quotedName(word) + " is not a member of " + kind + ".";
+    const std::string sentence = quoted(word) + " is not a member of " + kind + ".";
     if (type == "Body" && has({"x", "y"}, word))
-        return sentence + " Did you mean " + quotedName("position." + word) + "?";
+        return sentence + " Did you mean " + quoted("position." + word) + "?";
     if (const std::string closest = hintFor(word, members); !closest.empty())
         return sentence + closest;
     const std::vector<std::string> ofElement = type == "Bodies" || type == "Children"
@@ -168,13 +147,13 @@ std::string hintForMember(const std::string &word, const MarkedPlace &place)
                              : !vocabulary.bodies.empty() ? vocabulary.bodies.front()
                              : !vocabulary.arrays.empty() ? vocabulary.arrays.front().name + "[0]"
                                                           : std::string();
-    return body.empty() ? body : " Write " + quotedName(body + "." + word) + ".";
+    return body.empty() ? body : " Write " + quoted(body + "." + word) + ".";
 }
 
 std::string noName(const Gaps &gaps, const MarkedPlace &place)
 {
     const std::string &word = gaps[0];
-    const std::string sentence = "There is no " + quotedName(word) + ".";
+    const std::string sentence = "There is no " + quoted(word) + ".";
     if (has({"print", "println", "printf", "cout", "console", "log"}, word))
         return sentence + " A listing prints nothing: its values stand beside its lines.";
     if (const std::string hint = hintForMember(word, place); !hint.empty())
@@ -183,14 +162,14 @@ std::string noName(const Gaps &gaps, const MarkedPlace &place)
         return sentence + hint;
     for (const std::string &keyword : keywords()) {
         if (isSameButForCase(word, keyword))
-            return sentence + " Did you mean " + quotedName(keyword) + "?";
+            return sentence + " Did you mean " + quoted(keyword) + "?";
     }
     if (place.next == "(")
-        return "There is no function " + quotedName(word) + ". The functions are " + joined(functionNames()) +
+        return "There is no function " + quoted(word) + ". The functions are " + joined(functionNames()) +
                ".";
     if (place.next == "=")
-        return sentence + " A new variable needs a type: " + quotedName("double " + word) + ", " +
-               quotedName("int " + word) + " or " + quotedName("Vec2 " + word) + ".";
+        return sentence + " A new variable needs a type: " + quoted("double " + word) + ", " +
+               quoted("int " + word) + " or " + quoted("Vec2 " + word) + ".";
     return sentence + contentsOf(place.vocabulary);
 }
 
@@ -204,10 +183,10 @@ std::string wrongValues(const Gaps &gaps, const MarkedPlace &place)
     const std::string name = call.substr(0, call.find('('));
     const std::vector<std::string> names = allNames(place);
     if (!has(names, name) && name != "Vec2")
-        return "There is no function " + quotedName(name) + "." + hintFor(name, names);
+        return "There is no function " + quoted(name) + "." + hintFor(name, names);
     const std::string form = place.word == name && !place.form.empty() ? place.form : formOf(name);
-    return quotedName(name) + " does not take these values: " + quotedName(plainType(call)) + "." +
-           (form.empty() ? "" : " Write it as " + quotedName(form) + ".");
+    return quoted(name) + " does not take these values: " + quoted(plainType(call)) + "." +
+           (form.empty() ? "" : " Write it as " + quoted(form) + ".");
 }
 
 std::string noType(const Gaps &gaps, const MarkedPlace &place)
@@ -216,7 +195,7 @@ std::string noType(const Gaps &gaps, const MarkedPlace &place)
     std::vector<std::string> candidates = types;
     candidates.push_back("void");
     const std::string closest = hintFor(gaps[0], candidates);
-    return "There is no type " + quotedName(gaps[0]) + "." +
+    return "There is no type " + quoted(gaps[0]) + "." +
            (closest.empty() ? " The types are " + joined(types) + "." : closest);
 }
 
@@ -238,8 +217,8 @@ std::string typeAsValue(const Gaps &gaps, const MarkedPlace &place)
 {
     const Vocabulary &vocabulary = place.vocabulary;
     const bool isBody = gaps[0] == "Body" && !vocabulary.bodies.empty();
-    return quotedName(gaps[0]) + " is a type and has no value." +
-           (isBody ? " Write " + quotedName(vocabulary.bodies.front()) + "." : "");
+    return quoted(gaps[0]) + " is a type and has no value." +
+           (isBody ? " Write " + quoted(vocabulary.bodies.front()) + "." : "");
 }
 
 const std::string usesOfVectors = " A Vec2 can be added to a Vec2, and multiplied or divided by a number.";
@@ -257,7 +236,7 @@ std::string wrongOperands(const Gaps &gaps, const MarkedPlace &)
 std::string wrongOperand(const Gaps &gaps, const MarkedPlace &)
 {
     if (has(functionNames(), plainType(gaps[0])))
-        return "Write it as " + quotedName(formOf(plainType(gaps[0]))) + ".";
+        return "Write it as " + quoted(formOf(plainType(gaps[0]))) + ".";
     return "This sign does not work between " + withArticle("a", gaps[0]) + " and the other value." +
            usesOfVectors;
 }
@@ -286,7 +265,7 @@ std::string missing(const Gaps &gaps, const MarkedPlace &place)
 
 std::string nameTwice(const Gaps &gaps, const MarkedPlace &)
 {
-    return "There already is " + quotedName(gaps[0]) + " here. Use another name.";
+    return "There already is " + quoted(gaps[0]) + " here. Use another name.";
 }
 
 std::string functionTwice(const Gaps &, const MarkedPlace &place)
@@ -296,7 +275,7 @@ std::string functionTwice(const Gaps &, const MarkedPlace &place)
 
 std::string nameOfScene(const Gaps &gaps, const MarkedPlace &)
 {
-    return "There already is " + quotedName(gaps[0]) + " in this scene. Use another name.";
+    return "There already is " + quoted(gaps[0]) + " in this scene. Use another name.";
 }
 
 std::string noChange(const Gaps &, const MarkedPlace &place)
@@ -321,17 +300,17 @@ std::string noReplacement(const Gaps &gaps, const MarkedPlace &)
 
 std::string noValue(const Gaps &gaps, const MarkedPlace &)
 {
-    return quotedName(gaps[0]) + " has no value yet.";
+    return quoted(gaps[0]) + " has no value yet.";
 }
 
 std::string unexpected(const Gaps &gaps, const MarkedPlace &)
 {
-    return quotedName(gaps[0]) + " does not belong here.";
+    return quoted(gaps[0]) + " does not belong here.";
 }
 
 std::string noFunction(const Gaps &gaps, const MarkedPlace &)
 {
-    return quotedName(gaps[0]) + " is " + withArticle("a", gaps[1]) +
+    return quoted(gaps[0]) + " is " + withArticle("a", gaps[1]) +
            " here, not a function. To multiply, write '*'.";
 }
 

@@ -5,7 +5,6 @@
 #include <angelscript.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -109,13 +108,8 @@ RunResult Interpreter::execute(const sim::State &state, const Binding &binding, 
         recordChanges();
         m_result.globals = variables();
     }
-    if (m_recording.findsNonFinite && !error()) {
-        const std::string name = firstNonFinite();
-        if (!name.empty()) {
-            setError({RunErrorKind::notFinite, m_before.line, name + " is not a finite number.",
-                      m_before.variables});
-        }
-    }
+    if (m_recording.findsNonFinite)
+        checkFinite();
     m_result.error = error();
     return std::move(m_result);
 }
@@ -144,30 +138,22 @@ void Interpreter::allocateGlobals(const sim::State &state, const Binding &bindin
     // The values do not matter: those of the state replace them. Computing them can fail in the current state, for
     // example if a body is gone since the first frame. Then other parameters and bodies help.
     initialise();
+    if (anyIsMissing()) {
+        forgetError();
+        restartCount();
+        cells().loadPlaceholders();
+        initialise();
+        cells().load(state, binding);
+    }
     forgetError();
-    restartCount();
-    if (!anyIsMissing())
-        return;
-    cells().loadPlaceholders();
-    initialise();
-    forgetError();
-    restartCount();
-    cells().load(state, binding);
 }
 
 void Interpreter::record(int line, int column, int depth)
 {
     const bool keepsLine = m_recording.lines && m_recording.lines->size() < std::size_t{maxTracedLines};
     const bool isLast = m_recording.stopAfter >= 0 && m_lines > m_recording.stopAfter;
-    if (m_recording.findsNonFinite) {
-        const std::string name = firstNonFinite();
-        if (!name.empty() && !error()) {
-            setError({RunErrorKind::notFinite, m_before.line, name + " is not a finite number.",
-                      m_before.variables});
-            abort();
-            return;
-        }
-    }
+    if (m_recording.findsNonFinite && !checkFinite())
+        return abort();
     if (m_recording.lines && !keepsLine)
         m_result.isComplete = false;
     if (m_recording.lines && m_result.isComplete)
@@ -213,13 +199,19 @@ std::string Interpreter::firstNonFinite() const
         return name;
     for (const Global &global : m_globals) {
         const std::optional<Value> value = cells().values().valueAt(addressOf(global), global.type);
-        const auto *number = value ? std::get_if<double>(&*value) : nullptr;
-        const auto *vector = value ? std::get_if<sim::Vec2>(&*value) : nullptr;
-        if ((number && !std::isfinite(*number)) ||
-            (vector && !(std::isfinite(vector->x) && std::isfinite(vector->y))))
+        if (value && !isFinite(*value))
             return "'" + std::string(global.name) + "'";
     }
     return {};
+}
+
+bool Interpreter::checkFinite()
+{
+    const std::string name = error() ? std::string() : firstNonFinite();
+    if (!name.empty())
+        setError(
+            {RunErrorKind::notFinite, m_before.line, name + " is not a finite number.", m_before.variables});
+    return name.empty();
 }
 
 std::vector<Variable> Interpreter::variables() const

@@ -64,6 +64,9 @@ private:
     void record(int line, int column, int depth);
     /// Adds the bodies that have changed since the last call to the last recorded line.
     void recordChanges();
+    /// Makes the first number that is not finite an error of the line before, unless there is an error. Returns whether
+    /// all are finite.
+    bool checkFinite();
     /// Returns the name of the first position, velocity or global that is not finite, or an empty string.
     std::string firstNonFinite() const;
     std::vector<Variable> variables() const override;

@@ -1,5 +1,7 @@
 #include "app/listing/language.h"
 
+#include "app/listing/tokens.h"
+
 #include <algorithm>
 #include <array>
 
@@ -61,11 +63,36 @@ const std::vector<std::string> &keywords()
 
 const std::vector<std::string> &commonNames()
 {
-    static const std::vector<std::string> names = {
-        "sin",         "cos",       "atan2",        "sqrt",    "pow",          "hypot",         "abs",
-        "min",         "max",       "clamp",        "floor",   "remainder",    "random",        "length",
-        "dot",         "direction", "hand",         "pointer", "pointer_down", "pointer_known", "target",
-        "new_targets", "keys",      "frame_number", "pi"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all = functionNames();
+        all.insert(all.end(), {"hand", "pointer", "pointer_down", "pointer_known", "target", "new_targets",
+                               "keys", "frame_number", "pi"});
+        return all;
+    }();
+    return names;
+}
+
+std::vector<std::string> bodyNames(const Vocabulary &vocabulary)
+{
+    std::vector<std::string> names = vocabulary.bodies;
+    for (const Vocabulary::Array &array : vocabulary.arrays)
+        names.push_back(array.name);
+    if (vocabulary.hasCreatures)
+        names.push_back("creatures");
+    if (vocabulary.hasSticks)
+        names.push_back("sticks");
+    return names;
+}
+
+std::vector<std::string> clockNames(const Vocabulary &vocabulary)
+{
+    std::vector<std::string> names;
+    if (vocabulary.hasGait && !vocabulary.hasCreatures)
+        names.insert(names.end(), {"gait", "gait_speed"});
+    if (vocabulary.hasTree)
+        names.insert(names.end(), {"gust", "gust_known"});
+    if (vocabulary.hasGust)
+        names.insert(names.end(), {"gust_front", "gust_tail"});
     return names;
 }
 
@@ -89,9 +116,8 @@ std::string formOf(const std::string &function)
 
 bool isUsableName(const std::string &name)
 {
-    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-    if (name.empty() || !isLetter(name.front()) ||
-        !std::all_of(name.begin(), name.end(), [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); }))
+    const Tokens tokens(name);
+    if (!tokens.isWord(0) || tokens[0].text != name)
         return false;
     const auto has = [&](const std::vector<std::string> &words) {
         return std::find(words.begin(), words.end(), name) != words.end();

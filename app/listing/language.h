@@ -19,6 +19,10 @@ bool isLeftOut(std::string_view word);
 const std::vector<std::string> &keywords();
 /// Returns the names that every listing has: `sin`, `pointer`, `frame_number`...
 const std::vector<std::string> &commonNames();
+/// Returns the names of the bodies of a scene and of its arrays: `body`, `feet`, `creatures`, `sticks`...
+std::vector<std::string> bodyNames(const Vocabulary &vocabulary);
+/// Returns the names of what a scene remembers besides its bodies: `gait`, `gust`...
+std::vector<std::string> clockNames(const Vocabulary &vocabulary);
 /// Returns the functions of commonNames().
 std::vector<std::string> functionNames();
 /// Returns how a function or Vec2 is called, for example "atan2(y, x)"; empty for other names.

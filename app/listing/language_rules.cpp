@@ -14,15 +14,10 @@ namespace {
 
 using Violation = std::optional<CompileError>;
 
-Violation violation(const Token &token, std::string sentence)
-{
-    return errorAt(token, std::move(sentence));
-}
-
 /// Returns a sentence that says what to write in place of a word that listings leave out.
 std::string insteadOf(std::string_view word)
 {
-    if (word == "switch" || word == "case" || word == "default")
+    if (isAnyOf(word, {"switch", "case", "default"}))
         return "Use 'if'.";
     if (word == "float")
         return "Use 'double'.";
@@ -75,31 +70,31 @@ Violation boundsViolation(const Tokens &tokens)
     for (const Token &token : tokens) {
         const char first = token.text.front();
         if (first == '"' || first == '\'')
-            return violation(token,
-                             "Texts in quotes are not part of this language. It has numbers, bool and Vec2.");
+            return errorAt(token,
+                           "Texts in quotes are not part of this language. It has numbers, bool and Vec2.");
         if (first == '@')
-            return violation(
+            return errorAt(
                 token,
                 "'@' is not part of this language. A Body variable already stands for the body itself.");
         if (token.kind == Token::Kind::sign &&
             (static_cast<unsigned char>(first) >= 0x7F || static_cast<unsigned char>(first) < 0x20 ||
              first == '#' || first == '$' || first == '`' || first == '\\'))
-            return violation(token, static_cast<unsigned char>(first) < 0x20 || first == 0x7F
-                                        ? std::string("This character is not part of this language.")
-                                        : quoted(token.text) + " is not part of this language." +
-                                              insteadOfSign(token.text));
+            return errorAt(token, static_cast<unsigned char>(first) < 0x20 || first == 0x7F
+                                      ? std::string("This character is not part of this language.")
+                                      : quoted(token.text) + " is not part of this language." +
+                                            insteadOfSign(token.text));
         if (token.kind == Token::Kind::word && isLeftOut(token.text))
-            return violation(token, quoted(token.text) + " is reserved and not part of this language. " +
-                                        insteadOf(token.text));
+            return errorAt(token, quoted(token.text) + " is reserved and not part of this language. " +
+                                      insteadOf(token.text));
         if (token.kind == Token::Kind::number && token.text.find_first_of("fF") != std::string_view::npos &&
             !token.text.starts_with("0x"))
-            return violation(token, "A number ends without 'f' here.");
+            return errorAt(token, "A number ends without 'f' here.");
         if (token.text == "else" && ++elses > maxElses)
-            return violation(token,
-                             "There are more than " + std::to_string(maxElses) + " 'else' in this listing.");
+            return errorAt(token,
+                           "There are more than " + std::to_string(maxElses) + " 'else' in this listing.");
         if (opens(token.text) && ++depth > maxNesting)
-            return violation(token, "There are more than " + std::to_string(maxNesting) +
-                                        " brackets inside one another.");
+            return errorAt(token, "There are more than " + std::to_string(maxNesting) +
+                                      " brackets inside one another.");
         if (closes(token.text))
             --depth;
         if (token.text == "(")
@@ -110,7 +105,7 @@ Violation boundsViolation(const Tokens &tokens)
         if (token.text == "{" || token.text == "}" || (token.text == ";" && parentheses == 0))
             length = 0;
         if (length > maxStatementTokens)
-            return violation(token, "This statement is too long. Split it in two.");
+            return errorAt(token, "This statement is too long. Split it in two.");
     }
     return {};
 }
@@ -121,19 +116,18 @@ Violation signViolation(const Tokens &tokens)
         const std::string_view sign = tokens[i].text;
         const auto isPair = [&](std::size_t first) { return tokens.touches(first, tokens[first].text); };
         if (sign == "^" || sign == "~")
-            return violation(tokens[i],
-                             quoted(sign) + " is not part of this language." + insteadOfSign(sign));
+            return errorAt(tokens[i], quoted(sign) + " is not part of this language." + insteadOfSign(sign));
         if ((sign == "<" || sign == ">") && isPair(i))
-            return violation(
-                tokens[i], quoted(std::string(sign) + std::string(sign)) + " is not part of this language." +
+            return errorAt(tokens[i],
+                           quoted(std::string(sign) + std::string(sign)) + " is not part of this language." +
                                (i > 0 && tokens.is(i - 1, "cout")
                                     ? " A listing prints nothing: its values stand beside its lines."
                                     : ""));
         if (sign != "&" && sign != "|")
             continue;
         if (!isPair(i))
-            return violation(tokens[i], quoted(sign) + " is not part of this language. Did you mean " +
-                                            quoted(std::string(2, sign.front())) + "?");
+            return errorAt(tokens[i], quoted(sign) + " is not part of this language. Did you mean " +
+                                          quoted(std::string(2, sign.front())) + "?");
         ++i;
     }
     return {};
@@ -149,21 +143,19 @@ Violation callViolation(const Tokens &tokens)
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const bool isDeclared = i > 0 && tokens.is(i - 1, "void");
         if (tokens.is(i, "void") && !(tokens.isWord(i + 1) && tokens.is(i + 2, "(")))
-            return violation(tokens[i], "'void' stands only before a function, for example 'void frame()'.");
+            return errorAt(tokens[i], "'void' stands only before a function, for example 'void frame()'.");
         const std::string_view name = tokens[i].text;
         if (isPrimitive(name) && tokens.is(i + 1, "(") &&
             std::none_of(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                          tokens.begin() + static_cast<std::ptrdiff_t>(tokens.closing(i + 1)),
                          [](const Token &token) { return token.kind == Token::Kind::word; }))
-            return violation(tokens[i], "Write the number itself, without '" + std::string(name) + "(...)'.");
+            return errorAt(tokens[i], "Write the number itself, without '" + std::string(name) + "(...)'.");
         if (isDeclared || std::find(withoutValue.begin(), withoutValue.end(), name) == withoutValue.end())
             continue;
-        static constexpr std::array<std::string_view, 6> before = {";", "{", "}", ")", "else", "do"};
-        const bool beginsStatement =
-            i > 0 && std::find(before.begin(), before.end(), tokens[i - 1].text) != before.end();
+        const bool beginsStatement = i > 0 && isAnyOf(tokens[i - 1].text, {";", "{", "}", ")", "else", "do"});
         if (!beginsStatement || !tokens.is(i + 1, "(") || !tokens.is(tokens.closing(i + 1) + 1, ";"))
-            return violation(tokens[i], quoted(name) + " has no value, so it stands alone: '" +
-                                            std::string(name) + "(...);'.");
+            return errorAt(tokens[i], quoted(name) + " has no value, so it stands alone: '" +
+                                          std::string(name) + "(...);'.");
     }
     return {};
 }
@@ -186,8 +178,7 @@ bool followsVariable(const Tokens &tokens, std::size_t i)
         } else if (tokens.isWord(at - 1) || before == ".") {
             --at;
         } else {
-            return before == ";" || before == "{" || before == "}" || before == ")" || before == "(" ||
-                   before == ",";
+            return isAnyOf(before, {";", "{", "}", ")", "(", ","});
         }
     }
     return true;
@@ -215,17 +206,14 @@ Violation assignmentViolation(const Tokens &tokens)
             ++i;
             continue;
         }
-        const bool isComparison = i > 0 &&
-                                  (tokens.is(i - 1, "<") || tokens.is(i - 1, ">") || tokens.is(i - 1, "!")) &&
-                                  tokens[i - 1].end() == tokens[i].offset;
-        if (isComparison)
-            continue;
+        if (i > 0 && isAnyOf(tokens[i - 1].text, {"<", ">", "!"}) && tokens.touches(i - 1, "="))
+            continue; // a comparison
         if (isInside || isSet)
-            return violation(tokens[i],
-                             "'=' sets a value, and stands once in a statement. To compare, write '=='.");
+            return errorAt(tokens[i],
+                           "'=' sets a value, and stands once in a statement. To compare, write '=='.");
         if (!followsVariable(tokens, i))
-            return violation(tokens[i],
-                             "Only a variable can be set: a name, with members or an index behind it.");
+            return errorAt(tokens[i],
+                           "Only a variable can be set: a name, with members or an index behind it.");
         isSet = true;
     }
     return {};
@@ -243,11 +231,10 @@ Violation comparisonViolation(const Tokens &tokens)
             compares.pop_back();
         } else if (sign == "<" || sign == ">" || ((sign == "=" || sign == "!") && isTwoSigns)) {
             if (compares.back())
-                return violation(tokens[i], "Compare two values at a time, for example 'a < b && b < c'.");
+                return errorAt(tokens[i], "Compare two values at a time, for example 'a < b && b < c'.");
             compares.back() = true;
             i += isTwoSigns ? 1 : 0;
-        } else if (sign == ";" || sign == "," || sign == "?" || sign == ":" || sign == "&" || sign == "|" ||
-                   sign == "and" || sign == "or" || sign == "=" || sign == "return") {
+        } else if (isAnyOf(sign, {";", ",", "?", ":", "&", "|", "and", "or", "=", "return"})) {
             compares.back() = false;
         }
         if (sign == "}")

@@ -40,10 +40,7 @@ Compiled Program::compile(const std::string &text, const Vocabulary &vocabulary)
     std::vector<CompileError> errors = interpreter->errors();
     if (!errors.empty()) {
         // A brace that is never closed comes last: it may just not have been typed yet.
-        const auto sorted = errors.end() - (data->scan.unclosed() ? 1 : 0);
-        std::stable_sort(errors.begin(), sorted, [](const CompileError &a, const CompileError &b) {
-            return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-        });
+        sortByPlace(std::span(errors).first(errors.size() - (data->scan.unclosed() ? 1 : 0)));
         return {nullptr, std::move(errors)};
     }
     data->pool.giveBack(std::move(interpreter));

@@ -5,7 +5,6 @@
 #include <angelscript.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace listing {
@@ -15,19 +14,6 @@ using namespace AngelScript;
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-bool isFiniteForce(sim::Vec2 force)
-{
-    return std::isfinite(force.x) && std::isfinite(force.y);
-}
-
-bool isFiniteValue(const Value &value)
-{
-    if (const auto *number = std::get_if<double>(&value))
-        return std::isfinite(*number);
-    const auto *vector = std::get_if<sim::Vec2>(&value);
-    return !vector || isFiniteForce(*vector);
-}
 
 }
 
@@ -153,7 +139,7 @@ bool RuleInterpreter::evaluate(const sim::RuleScene &scene, const sim::State &st
     load(scene, state);
     for (std::size_t i = 0; i < calls.size(); ++i) {
         forces[i] = run(scene, state, calls[i]);
-        if (isFiniteForce(forces[i]))
+        if (isFinite(forces[i]))
             continue;
         m_failedCall = calls[i];
         std::fill(forces.begin() + static_cast<std::ptrdiff_t>(i), forces.end(), sim::Vec2{nan, nan});
@@ -183,7 +169,7 @@ void RuleInterpreter::onNewLine(int line, int, int)
     if (!m_findsNonFinite)
         return;
     for (const Variable &variable : variables()) {
-        if (!isFiniteValue(variable.value))
+        if (!isFinite(variable.value))
             return fail(RunErrorKind::notFinite, m_lineBefore,
                         "'" + variable.name + "' is not a finite number.");
     }

@@ -124,28 +124,16 @@ public:
     void evaluate(const sim::RuleScene &scene, const sim::State &state, std::span<const sim::RuleCall> calls,
                   std::span<sim::Vec2> forces) const override
     {
-        static_cast<void>(findMistake(scene, state, calls, forces, Search::none));
-    }
-
-    /// Whether an evaluation that failed also finds out why.
-    enum class Search { none, mistake };
-    /// Computes the forces of `calls`. Returns the mistake that stopped it, if `search` asks for it.
-    std::optional<RuleError> findMistake(const sim::RuleScene &scene, const sim::State &state,
-                                         std::span<const sim::RuleCall> calls, std::span<sim::Vec2> forces,
-                                         Search search) const
-    {
         const sim::FlushDenormals flush; // as all code that computes a run
         std::unique_ptr<RuleInterpreter> interpreter = m_pool.take([this] { return make(); });
-        std::optional<RuleError> found;
-        if (!interpreter->evaluate(scene, state, calls, forces) && search == Search::mistake) {
-            const sim::RuleCall &call = interpreter->failedCall();
-            found = RuleError{*interpreter->mistake(scene, state), call.me, call.other};
-        }
+        if (!interpreter->evaluate(scene, state, calls, forces))
+            onMistake(*interpreter, scene, state);
         m_pool.giveBack(std::move(interpreter));
-        return found;
     }
 
 private:
+    /// Called after an evaluation that failed.
+    virtual void onMistake(RuleInterpreter &, const sim::RuleScene &, const sim::State &) const {}
     std::unique_ptr<RuleInterpreter> make() const
     {
         return std::make_unique<RuleInterpreter>(m_scan, m_vocabulary, m_facts);
@@ -158,30 +146,25 @@ private:
     mutable InterpreterPool<RuleInterpreter> m_pool;
 };
 
-/// A rule that notes its first mistake. Several threads may evaluate it.
-class WatchedRule : public sim::Rule
+/// A copy of a rule that notes its first mistake. Several threads may evaluate it.
+class WatchedRule : public RuleProgram
 {
 public:
-    explicit WatchedRule(std::shared_ptr<const RuleProgram> rule) : m_rule(std::move(rule)) {}
+    explicit WatchedRule(const RuleProgram &rule) : RuleProgram(rule.text(), rule.parameters()) { compile(); }
 
-    const std::string &text() const override { return m_rule->text(); }
-    bool hasForce() const override { return m_rule->hasForce(); }
-    bool hasPull() const override { return m_rule->hasPull(); }
-    sim::RuleUse use() const override { return m_rule->use(); }
-    std::vector<std::string> parameters() const override { return m_rule->parameters(); }
-    void evaluate(const sim::RuleScene &scene, const sim::State &state, std::span<const sim::RuleCall> calls,
-                  std::span<sim::Vec2> forces) const override
-    {
-        std::optional<RuleError> mistake =
-            m_rule->findMistake(scene, state, calls, forces, RuleProgram::Search::mistake);
-        const std::lock_guard lock(m_mutex);
-        if (mistake && !m_mistake)
-            m_mistake = std::move(mistake);
-    }
     std::optional<RuleError> mistake() const { return m_mistake; }
 
 private:
-    std::shared_ptr<const RuleProgram> m_rule;
+    void onMistake(RuleInterpreter &interpreter, const sim::RuleScene &scene,
+                   const sim::State &state) const override
+    {
+        const sim::RuleCall &call = interpreter.failedCall();
+        const RuleError found = {*interpreter.mistake(scene, state), call.me, call.other};
+        const std::lock_guard lock(m_mutex);
+        if (!m_mistake)
+            m_mistake = found;
+    }
+
     mutable std::mutex m_mutex;
     mutable std::optional<RuleError> m_mistake;
 };
@@ -200,9 +183,7 @@ CompiledRule compileRule(const std::string &text, const std::vector<std::string>
     std::vector<CompileError> errors = program->compile();
     if (errors.empty())
         return {program, {}};
-    std::stable_sort(errors.begin(), errors.end(), [](const CompileError &a, const CompileError &b) {
-        return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-    });
+    sortByPlace(errors);
     return {nullptr, std::move(errors)};
 }
 
@@ -234,7 +215,7 @@ std::optional<RuleError> ruleErrorIn(const sim::Scene &scene, const sim::Method 
         const auto program = force ? std::dynamic_pointer_cast<const RuleProgram>(force->rule()) : nullptr;
         if (!program)
             continue;
-        witness = std::make_shared<WatchedRule>(program);
+        witness = std::make_shared<WatchedRule>(*program);
         effect = force->withRule(witness);
     }
     if (!witness)

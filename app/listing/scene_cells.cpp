@@ -16,11 +16,6 @@ namespace {
 
 using sim::Vec2;
 
-bool isFiniteVector(Vec2 v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y);
-}
-
 BodyMotion motionOf(const BodyCell &cell)
 {
     return {cell.point, cell.position, cell.velocity, cell.angle, cell.spin};
@@ -297,9 +292,9 @@ std::string SceneCells::firstNonFinite() const
     forEachCell([&](const BodyCell &cell, const auto &nameOf) {
         if (!name.empty())
             return;
-        if (!isFiniteVector(cell.position))
+        if (!isFinite(cell.position))
             name = "The position of " + nameOf();
-        else if (!isFiniteVector(cell.velocity))
+        else if (!isFinite(cell.velocity))
             name = "The velocity of " + nameOf();
         else if (!std::isfinite(cell.angle) || !std::isfinite(cell.spin))
             name = "The angle or the spin of " + nameOf();

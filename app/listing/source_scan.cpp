@@ -12,8 +12,7 @@ namespace {
 
 bool isType(std::string_view word)
 {
-    return isPrimitive(word) || word == "Vec2" || word == "Body" || word == "Creature" || word == "Stick" ||
-           word == "auto";
+    return isPrimitive(word) || isAnyOf(word, {"Vec2", "Body", "Creature", "Stick", "auto"});
 }
 
 }
@@ -67,8 +66,7 @@ void SourceScan::closeBraces()
             indent = m_tokens[i].column;
         indents.resize(open.size());
         const bool beginsFunction = (m_tokens.is(i, "void") || isType(m_tokens[i].text)) &&
-                                    m_tokens.isWord(i + 1) && m_tokens.is(i + 2, "(") &&
-                                    m_tokens.is(m_tokens.closing(i + 2) + 1, "{");
+                                    m_tokens.isWord(i + 1) && m_tokens.isHead(i + 1);
         if (beginsFunction && isBalanced && !open.empty() && indents.back() < m_tokens[i].column)
             return fail(m_tokens[i], "No function stands inside another one. Move it out.");
         while (beginsFunction && !open.empty()) // no function stands inside another one
@@ -102,9 +100,8 @@ void SourceScan::parse()
         std::size_t name = i;
         if (m_tokens.is(name, "const"))
             ++name;
-        const bool isFunction = m_tokens.isWord(name) && m_tokens.isWord(name + 1) &&
-                                m_tokens.is(name + 2, "(") &&
-                                m_tokens.is(m_tokens.closing(name + 2) + 1, "{");
+        const bool isFunction =
+            m_tokens.isWord(name) && m_tokens.isWord(name + 1) && m_tokens.isHead(name + 1);
         if (!isFunction) {
             const std::size_t end = afterStatement(i);
             m_into = &m_globals;
@@ -155,64 +152,48 @@ std::size_t SourceScan::afterStatement(std::size_t i) const
         }
         return afterStatement(next);
     }
-    while (i < m_tokens.size() && !m_tokens.is(i, ";") && !m_tokens.is(i, "}")) {
-        if (opens(m_tokens[i].text))
-            i = m_tokens.closing(i);
-        ++i;
-    }
+    while (i < m_tokens.size() && !m_tokens.is(i, ";") && !m_tokens.is(i, "}"))
+        i = m_tokens.behind(i);
     return std::min(m_tokens.is(i, "}") ? i : i + 1, m_tokens.size());
 }
 
-std::size_t SourceScan::statement(std::size_t i, std::size_t blockEnd)
+void SourceScan::statement(std::size_t i, std::size_t blockEnd)
 {
+    const std::size_t end = afterStatement(i);
+    const std::size_t endByte = end > 0 ? m_tokens.endOf(std::min(end, m_tokens.size()) - 1) : m_text.size();
+    const auto addLoop = [&](Extent head, Extent body) {
+        m_loops.push_back({m_tokens[i].line, head, body, {m_tokens[i].offset, endByte}});
+    };
     if (m_tokens.is(i, "{")) {
         const std::size_t close = m_tokens.closing(i);
-        for (std::size_t inner = i + 1; inner < close;)
-            inner = std::max(statement(inner, m_tokens.endOf(close)), inner + 1);
-        return close + 1;
-    }
-    if (m_tokens.is(i, "for") || m_tokens.is(i, "while")) {
+        for (std::size_t inner = i + 1; inner < close; inner = std::max(afterStatement(inner), inner + 1))
+            statement(inner, m_tokens.endOf(close));
+    } else if (m_tokens.is(i, "for") || m_tokens.is(i, "while")) {
         if (!m_tokens.is(i + 1, "("))
-            return i + 1;
-        const std::size_t close = m_tokens.closing(i + 1), end = afterStatement(close + 1);
-        const std::size_t endByte =
-            end > 0 ? m_tokens.endOf(std::min(end, m_tokens.size()) - 1) : m_text.size();
-        m_loops.push_back({m_tokens[i].line,
-                           {m_tokens[i].offset, m_tokens.beginOf(close + 1)},
-                           {m_tokens.beginOf(close + 1), endByte},
-                           {m_tokens[i].offset, endByte}});
+            return;
+        const std::size_t close = m_tokens.closing(i + 1), body = m_tokens.beginOf(close + 1);
+        addLoop({m_tokens[i].offset, body}, {body, endByte});
         if (m_tokens.is(i, "for"))
             declarations(i + 2, close, endByte);
-        return statement(close + 1, endByte);
-    }
-    if (m_tokens.is(i, "do")) {
-        const std::size_t tail = afterStatement(i + 1), end = afterStatement(i);
-        const std::size_t endByte =
-            end > 0 ? m_tokens.endOf(std::min(end, m_tokens.size()) - 1) : m_text.size();
-        m_loops.push_back({m_tokens[i].line,
-                           {m_tokens.beginOf(tail), endByte},
-                           {m_tokens.beginOf(i + 1), m_tokens.beginOf(tail)},
-                           {m_tokens[i].offset, endByte}});
+        statement(close + 1, endByte);
+    } else if (m_tokens.is(i, "do")) {
+        const std::size_t tail = m_tokens.beginOf(afterStatement(i + 1));
+        addLoop({tail, endByte}, {m_tokens.beginOf(i + 1), tail});
         statement(i + 1, blockEnd);
-        return end;
-    }
-    if (m_tokens.is(i, "if") && !m_tokens.is(i + 1, "("))
-        return i + 1;
-    if (m_tokens.is(i, "if")) {
-        std::size_t next = i;
-        while (m_tokens.is(next, "if") && m_tokens.is(next + 1, "(")) {
-            next = statement(m_tokens.closing(next + 1) + 1, blockEnd);
-            if (!m_tokens.is(next, "else"))
-                return next;
-            ++next;
+    } else if (m_tokens.is(i, "if")) {
+        while (m_tokens.is(i, "if") && m_tokens.is(i + 1, "(")) { // an else-if chain without recursion
+            const std::size_t lines = m_tokens.closing(i + 1) + 1;
+            statement(lines, blockEnd);
+            i = afterStatement(lines);
+            if (!m_tokens.is(i, "else"))
+                return;
+            ++i;
         }
-        return statement(next, blockEnd);
+        if (!m_tokens.is(i, "if"))
+            statement(i, blockEnd);
+    } else {
+        declarations(i, end, blockEnd);
     }
-    if (i >= m_tokens.size())
-        return i + 1;
-    const std::size_t end = afterStatement(i);
-    declarations(i, end, blockEnd);
-    return end;
 }
 
 void SourceScan::declarations(std::size_t i, std::size_t end, std::size_t scopeEnd)
@@ -230,11 +211,8 @@ void SourceScan::declarations(std::size_t i, std::size_t end, std::size_t scopeE
                                   " " + std::string(name.text) +
                                   (type == "bool" ? " = false;'." : " = 0;'."));
         std::size_t next = i + 1;
-        while (next < end && !m_tokens.is(next, ",") && !m_tokens.is(next, ";")) {
-            if (opens(m_tokens[next].text))
-                next = m_tokens.closing(next);
-            ++next;
-        }
+        while (next < end && !m_tokens.is(next, ",") && !m_tokens.is(next, ";"))
+            next = m_tokens.behind(next);
         m_into->push_back({std::string(name.text), name.offset, {m_tokens.beginOf(next), scopeEnd}});
         if (!m_tokens.is(next, ","))
             return;
@@ -273,9 +251,7 @@ std::vector<std::string> SourceScan::declaredNames() const
 std::string SourceScan::formOf(std::string_view function) const
 {
     for (std::size_t i = 1; i < m_tokens.size(); ++i) {
-        const bool isHead = m_tokens.is(i, function) && m_tokens.isWord(i - 1) && m_tokens.is(i + 1, "(") &&
-                            m_tokens.is(m_tokens.closing(i + 1) + 1, "{");
-        if (isHead)
+        if (m_tokens.is(i, function) && m_tokens.isWord(i - 1) && m_tokens.isHead(i))
             return m_text.substr(m_tokens[i].offset,
                                  m_tokens.endOf(m_tokens.closing(i + 1)) - m_tokens[i].offset);
     }

@@ -91,8 +91,8 @@ private:
     void fail(const Token &token, std::string sentence);
     /// Finds the braces that are never closed, and where their partners belong.
     void closeBraces();
-    /// Parses the statement at token `i`, whose block ends at byte `blockEnd`. Returns the index after it.
-    std::size_t statement(std::size_t i, std::size_t blockEnd);
+    /// Parses the statement at token `i`, whose block ends at byte `blockEnd`.
+    void statement(std::size_t i, std::size_t blockEnd);
     /// Returns the index after the statement at token `i`.
     std::size_t afterStatement(std::size_t i) const;
     /// Parses declarations from token `i` to `end` with the given scope end. Does nothing if there are none.

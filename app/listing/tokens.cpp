@@ -1,6 +1,7 @@
 #include "app/listing/tokens.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace listing {
 
@@ -18,14 +19,27 @@ bool isDigit(char c)
 
 }
 
+bool isAnyOf(std::string_view text, std::initializer_list<std::string_view> words)
+{
+    return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+std::optional<int> wholeNumber(std::string_view text)
+{
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool isWhole = error == std::errc() && end == text.data() + text.size();
+    return isWhole ? std::optional(number) : std::nullopt;
+}
+
 bool opens(std::string_view text)
 {
-    return text == "(" || text == "[" || text == "{";
+    return isAnyOf(text, {"(", "[", "{"});
 }
 
 bool closes(std::string_view text)
 {
-    return text == ")" || text == "]" || text == "}";
+    return isAnyOf(text, {")", "]", "}"});
 }
 
 Tokens::Tokens(std::string_view text) : m_textSize(text.size())

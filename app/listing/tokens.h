@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,10 @@ struct Token
     std::size_t end() const { return offset + text.size(); }
 };
 
+/// Returns whether `text` is one of `words`.
+bool isAnyOf(std::string_view text, std::initializer_list<std::string_view> words);
+/// Returns a short whole number; nothing for any other text.
+std::optional<int> wholeNumber(std::string_view text);
 /// Returns whether `text` is an opening bracket.
 bool opens(std::string_view text);
 /// Returns whether `text` is a closing bracket.
@@ -47,6 +52,10 @@ public:
     }
     /// Returns the index of the bracket that closes the one at token `i`, or the number of tokens.
     std::size_t closing(std::size_t i) const { return i < size() ? m_closing[i] : size(); }
+    /// Returns the index after token `i`, or after the brackets that it opens.
+    std::size_t behind(std::size_t i) const { return opens(m_all[i].text) ? m_closing[i] + 1 : i + 1; }
+    /// Returns whether brackets and a block follow token `i`: it is the name of a function that is defined there.
+    bool isHead(std::size_t i) const { return is(i + 1, "(") && is(closing(i + 1) + 1, "{"); }
     /// Returns whether the innermost bracket around token `i` is a brace, or there is none.
     bool isInBlock(std::size_t i) const { return m_isInBlock[i]; }
     /// Returns the sign of a comment that never ends, if there is one.

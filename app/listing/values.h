@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +33,11 @@ using Value = std::variant<double, std::int64_t, bool, sim::Vec2, BodyReference>
 /// "Stick".
 std::string typeName(const Value &value);
 
+/// Returns whether both coordinates are finite.
+bool isFinite(sim::Vec2 vector);
+/// Returns whether a number or a vector is finite. Values of other types always are.
+bool isFinite(const Value &value);
+
 /// A variable of a listing at some moment.
 struct Variable
 {
@@ -49,6 +55,9 @@ struct CompileError
     int length = 1; ///< bytes, of the word that is wrong
     std::string sentence;
 };
+
+/// Sorts mistakes by their places in the text.
+void sortByPlace(std::span<CompileError> errors);
 
 /// The kind of a mistake that stops a frame.
 enum class RunErrorKind {

@@ -272,10 +272,6 @@
 <context>
     <name>BlueprintReader</name>
     <message>
-        <source>%1 is %2; it can be %3 to %4.</source>
-        <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
-    </message>
-    <message>
         <source>%1 has %2 entries; the most is %3.</source>
         <translation>%1 hat %2 Einträge; höchstens sind es %3.</translation>
     </message>
@@ -435,12 +431,12 @@
         <translation>noch hat sich nichts bewegt</translation>
     </message>
     <message>
-        <source>%1 has moved points directly, without a velocity.</source>
-        <translation>%1 hat Punkte direkt bewegt, nicht über eine Geschwindigkeit.</translation>
+        <source>after %1, points have moved directly, without a velocity.</source>
+        <translation>nach „%1“ haben sich Punkte direkt bewegt, nicht über eine Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>%1 has moved points directly, and changed velocities.</source>
-        <translation>%1 hat Punkte direkt bewegt und Geschwindigkeiten geändert.</translation>
+        <source>after %1, points have moved directly, and velocities have changed.</source>
+        <translation>nach „%1“ sind Punkte direkt bewegt und Geschwindigkeiten geändert.</translation>
     </message>
     <message>
         <source>Inside frame %1, step %2 of %3: %4</source>
@@ -475,8 +471,16 @@
         <translation>%1&#x202f;px von seinem Ort entfernt</translation>
     </message>
     <message>
+        <source>Not yet: in frame %1 of a trial run with other parameters, %2 is %3.</source>
+        <translation>Noch nicht: In Bild %1 eines Probelaufs mit anderen Parametern ist %2 %3.</translation>
+    </message>
+    <message>
         <source>Not yet: in frame %1 of a trial run, %2 is %3.</source>
         <translation>Noch nicht: In Bild %1 eines Probelaufs ist %2 %3.</translation>
+    </message>
+    <message>
+        <source>Not yet: while your hand holds %1 in a trial run with other parameters, %2 is %3.</source>
+        <translation>Noch nicht: Während deine Hand in einem Probelauf mit anderen Parametern %1 hält, ist %2 %3.</translation>
     </message>
     <message>
         <source>Not yet: while your hand holds %1 in a trial run, %2 is %3.</source>
@@ -916,10 +920,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 </context>
 <context>
     <name>ConditionTokensText</name>
-    <message>
-        <source>Character %1: %2</source>
-        <translation>Zeichen %1: %2</translation>
-    </message>
     <message>
         <source>%1 is not a number; write one like 380, 0.5 or 1e-3.</source>
         <translation>%1 ist keine Zahl; schreibe eine wie 380, 0.5 oder 1e-3.</translation>
@@ -1373,10 +1373,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>a body&apos;s name</source>
         <translation>der Name eines Körpers</translation>
     </message>
-    <message>
-        <source>true or false</source>
-        <translation>true oder false</translation>
-    </message>
 </context>
 <context>
     <name>ExperimentLineText</name>
@@ -1457,14 +1453,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>there is no point %1 here; there is &quot;p0&quot; to %2.</source>
         <translation>hier gibt es keinen Punkt %1; es gibt &quot;p0&quot; bis %2.</translation>
-    </message>
-    <message>
-        <source>&quot;share&quot; is %1; it can be 0 to 1.</source>
-        <translation>&quot;share&quot; ist %1; möglich ist 0 bis 1.</translation>
-    </message>
-    <message>
-        <source>&quot;length&quot; is %1; it can be 0 to 1000000 px.</source>
-        <translation>&quot;length&quot; ist %1; möglich ist 0 bis 1000000 px.</translation>
     </message>
     <message>
         <source>&quot;bodies&quot; has %1 points; the most is %2.</source>
@@ -1614,6 +1602,21 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>The lesson on paper, as a PDF: with lines to write on, and the answers at the end</source>
         <translation>Die Lektion auf Papier, als PDF: mit Zeilen zum Schreiben und den Antworten am Ende</translation>
+    </message>
+</context>
+<context>
+    <name>FileRowText</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Auswählen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Wähle einen Ordner und einen Namen</translation>
     </message>
 </context>
 <context>
@@ -2435,6 +2438,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1 has no field %2; there is %3.</source>
         <translation>%1 hat kein Feld %2; es gibt %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it can be %3 to %4.</source>
+        <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
     </message>
 </context>
 <context>
@@ -5526,8 +5533,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Macht aus dem Lauf eines Experiments einen Film: ein WebM-Video, ein animiertes GIF, ein PNG für jedes Bild oder eine Webseite, die ihn abspielt.</translation>
     </message>
     <message>
-        <source>The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the number of the frame.</source>
-        <translation>Der Film: OUT.webm, OUT.gif, OUT.html oder OUT_%04d.png, wobei %04d für die Nummer des Bildes steht.</translation>
+        <source>The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the number of the frame with 4 digits, such as 0007. %d writes 7, and the files do not sort by name.</source>
+        <translation>Der Film: OUT.webm, OUT.gif, OUT.html oder OUT_%04d.png, wobei %04d für die Nummer des Bildes mit 4 Ziffern steht, etwa 0007. %d schreibt 7; dann ordnet der Name die Dateien nicht.</translation>
     </message>
     <message>
         <source>The first frame.</source>
@@ -7364,6 +7371,10 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Sucht nach Abhilfe …</translation>
     </message>
     <message>
+        <source>Correct this line, and the run goes on.</source>
+        <translation>Berichtige diese Zeile, dann geht der Lauf weiter.</translation>
+    </message>
+    <message>
         <source>Correct this line, and the run goes on. Undo reverts your last change.</source>
         <translation>Berichtige diese Zeile, dann geht der Lauf weiter. Rückgängig nimmt deine letzte Änderung zurück.</translation>
     </message>
@@ -7446,20 +7457,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
 <context>
     <name>app::FilmName</name>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
         <source>Where to save the film</source>
         <translation>Wohin der Film gespeichert wird</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Wählen …</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Einen Ordner und einen Namen wählen</translation>
     </message>
     <message>
         <source>%1 already exists. Replace it, or choose another name.</source>
@@ -7918,20 +7917,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Dasselbe auf Papier</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
         <source>Where to write, without an ending</source>
         <translation>Wohin geschrieben wird, ohne Endung</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Auswählen …</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Wähle einen Ordner und einen Namen</translation>
     </message>
     <message>
         <source>F&amp;ile</source>
@@ -9993,10 +9980,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
 </context>
 <context>
     <name>app::SandboxEditor</name>
-    <message>
-        <source>You can only build at the start of the run. Press Home to go there.</source>
-        <translation>Bauen kannst du nur am Anfang des Laufs. Drück Pos1, um dorthin zu gehen.</translation>
-    </message>
     <message>
         <source>The scene has too many of this kind. Delete some first.</source>
         <translation>Die Szene hat zu viele von dieser Art. Lösche erst welche.</translation>

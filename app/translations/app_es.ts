@@ -272,10 +272,6 @@
 <context>
     <name>BlueprintReader</name>
     <message>
-        <source>%1 is %2; it can be %3 to %4.</source>
-        <translation>%1 es %2; puede ir de %3 a %4.</translation>
-    </message>
-    <message>
         <source>%1 has %2 entries; the most is %3.</source>
         <translation>%1 tiene %2 entradas; el máximo es %3.</translation>
     </message>
@@ -435,12 +431,12 @@
         <translation>aún no se ha movido nada</translation>
     </message>
     <message>
-        <source>%1 has moved points directly, without a velocity.</source>
-        <translation>%1 ha movido puntos directamente, sin velocidad.</translation>
+        <source>after %1, points have moved directly, without a velocity.</source>
+        <translation>tras «%1», hay puntos movidos directamente, sin velocidad.</translation>
     </message>
     <message>
-        <source>%1 has moved points directly, and changed velocities.</source>
-        <translation>%1 ha movido puntos directamente y ha cambiado velocidades.</translation>
+        <source>after %1, points have moved directly, and velocities have changed.</source>
+        <translation>tras «%1», hay puntos movidos directamente y velocidades cambiadas.</translation>
     </message>
     <message>
         <source>Inside frame %1, step %2 of %3: %4</source>
@@ -475,8 +471,16 @@
         <translation>a %1&#x202f;px de su lugar</translation>
     </message>
     <message>
+        <source>Not yet: in frame %1 of a trial run with other parameters, %2 is %3.</source>
+        <translation>Todavía no: en el fotograma %1 de una ejecución de prueba con otros parámetros, %2 está %3.</translation>
+    </message>
+    <message>
         <source>Not yet: in frame %1 of a trial run, %2 is %3.</source>
         <translation>Todavía no: en el fotograma %1 de una ejecución de prueba, %2 está %3.</translation>
+    </message>
+    <message>
+        <source>Not yet: while your hand holds %1 in a trial run with other parameters, %2 is %3.</source>
+        <translation>Todavía no: mientras tu mano sujeta %1 en una ejecución de prueba con otros parámetros, %2 está %3.</translation>
     </message>
     <message>
         <source>Not yet: while your hand holds %1 in a trial run, %2 is %3.</source>
@@ -916,10 +920,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 </context>
 <context>
     <name>ConditionTokensText</name>
-    <message>
-        <source>Character %1: %2</source>
-        <translation>Carácter %1: %2</translation>
-    </message>
     <message>
         <source>%1 is not a number; write one like 380, 0.5 or 1e-3.</source>
         <translation>%1 no es un número; escribe uno como 380, 0.5 o 1e-3.</translation>
@@ -1373,10 +1373,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <source>a body&apos;s name</source>
         <translation>el nombre de un cuerpo</translation>
     </message>
-    <message>
-        <source>true or false</source>
-        <translation>true o false</translation>
-    </message>
 </context>
 <context>
     <name>ExperimentLineText</name>
@@ -1457,14 +1453,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>there is no point %1 here; there is &quot;p0&quot; to %2.</source>
         <translation>aquí no hay ningún punto %1; hay de &quot;p0&quot; a %2.</translation>
-    </message>
-    <message>
-        <source>&quot;share&quot; is %1; it can be 0 to 1.</source>
-        <translation>&quot;share&quot; es %1; puede ir de 0 a 1.</translation>
-    </message>
-    <message>
-        <source>&quot;length&quot; is %1; it can be 0 to 1000000 px.</source>
-        <translation>&quot;length&quot; es %1; puede ir de 0 a 1000000 px.</translation>
     </message>
     <message>
         <source>&quot;bodies&quot; has %1 points; the most is %2.</source>
@@ -1614,6 +1602,21 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>The lesson on paper, as a PDF: with lines to write on, and the answers at the end</source>
         <translation>La lección en papel, como PDF: con líneas para escribir y las respuestas al final</translation>
+    </message>
+</context>
+<context>
+    <name>FileRowText</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Elegir una carpeta y un nombre</translation>
     </message>
 </context>
 <context>
@@ -2435,6 +2438,10 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>%1 has no field %2; there is %3.</source>
         <translation>%1 no tiene el campo %2; hay %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it can be %3 to %4.</source>
+        <translation>%1 es %2; puede ir de %3 a %4.</translation>
     </message>
 </context>
 <context>
@@ -5526,8 +5533,8 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Hace un vídeo de la ejecución de un experimento: un vídeo WebM, un GIF animado, un PNG por fotograma o una página web que la reproduce.</translation>
     </message>
     <message>
-        <source>The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the number of the frame.</source>
-        <translation>El vídeo: OUT.webm, OUT.gif, OUT.html o OUT_%04d.png, donde %04d es el número del fotograma.</translation>
+        <source>The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the number of the frame with 4 digits, such as 0007. %d writes 7, and the files do not sort by name.</source>
+        <translation>El vídeo: OUT.webm, OUT.gif, OUT.html o OUT_%04d.png, donde %04d es el número del fotograma con 4 cifras, como 0007. %d escribe 7; así el nombre no ordena los archivos.</translation>
     </message>
     <message>
         <source>The first frame.</source>
@@ -7364,6 +7371,10 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Buscando un remedio…</translation>
     </message>
     <message>
+        <source>Correct this line, and the run goes on.</source>
+        <translation>Corrige esta línea y la ejecución sigue.</translation>
+    </message>
+    <message>
         <source>Correct this line, and the run goes on. Undo reverts your last change.</source>
         <translation>Corrige esta línea y la ejecución sigue. Deshacer retira tu último cambio.</translation>
     </message>
@@ -7446,20 +7457,8 @@ Haz clic para plegar o desplegar (Intro)</translation>
 <context>
     <name>app::FilmName</name>
     <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
         <source>Where to save the film</source>
         <translation>Dónde guardar el vídeo</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Elegir…</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Elegir una carpeta y un nombre</translation>
     </message>
     <message>
         <source>%1 already exists. Replace it, or choose another name.</source>
@@ -7918,20 +7917,8 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Lo mismo en papel</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
         <source>Where to write, without an ending</source>
         <translation>Dónde guardarlo, sin extensión</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Elegir…</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Elegir una carpeta y un nombre</translation>
     </message>
     <message>
         <source>F&amp;ile</source>
@@ -9993,10 +9980,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
 </context>
 <context>
     <name>app::SandboxEditor</name>
-    <message>
-        <source>You can only build at the start of the run. Press Home to go there.</source>
-        <translation>Solo puedes construir al inicio de la ejecución. Pulsa Inicio para ir allí.</translation>
-    </message>
     <message>
         <source>The scene has too many of this kind. Delete some first.</source>
         <translation>La escena tiene demasiadas piezas de este tipo. Elimina antes algunas.</translation>

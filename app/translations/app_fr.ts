@@ -272,10 +272,6 @@
 <context>
     <name>BlueprintReader</name>
     <message>
-        <source>%1 is %2; it can be %3 to %4.</source>
-        <translation>%1 vaut %2&#x202f;; possible&#xa0;: de %3 à %4.</translation>
-    </message>
-    <message>
         <source>%1 has %2 entries; the most is %3.</source>
         <translation>%1 a %2 entrées&#x202f;; le maximum est %3.</translation>
     </message>
@@ -435,12 +431,12 @@
         <translation>rien n’a encore bougé</translation>
     </message>
     <message>
-        <source>%1 has moved points directly, without a velocity.</source>
-        <translation>%1 a déplacé des points directement, sans vitesse.</translation>
+        <source>after %1, points have moved directly, without a velocity.</source>
+        <translation>après «&#x202f;%1&#x202f;», des points ont été déplacés directement, sans vitesse.</translation>
     </message>
     <message>
-        <source>%1 has moved points directly, and changed velocities.</source>
-        <translation>%1 a déplacé des points directement et changé des vitesses.</translation>
+        <source>after %1, points have moved directly, and velocities have changed.</source>
+        <translation>après «&#x202f;%1&#x202f;», des points ont été déplacés directement et des vitesses ont changé.</translation>
     </message>
     <message>
         <source>Inside frame %1, step %2 of %3: %4</source>
@@ -475,8 +471,16 @@
         <translation>à %1&#x202f;px de sa place</translation>
     </message>
     <message>
+        <source>Not yet: in frame %1 of a trial run with other parameters, %2 is %3.</source>
+        <translation>Pas encore&#xa0;: à l’image %1 d’une simulation d’essai avec d’autres paramètres, «&#x202f;%2&#x202f;» est %3.</translation>
+    </message>
+    <message>
         <source>Not yet: in frame %1 of a trial run, %2 is %3.</source>
         <translation>Pas encore&#xa0;: à l’image %1 d’une simulation d’essai, «&#x202f;%2&#x202f;» est %3.</translation>
+    </message>
+    <message>
+        <source>Not yet: while your hand holds %1 in a trial run with other parameters, %2 is %3.</source>
+        <translation>Pas encore&#xa0;: dans une simulation d’essai avec d’autres paramètres, ta main tient «&#x202f;%1&#x202f;», et «&#x202f;%2&#x202f;» est %3.</translation>
     </message>
     <message>
         <source>Not yet: while your hand holds %1 in a trial run, %2 is %3.</source>
@@ -916,10 +920,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 </context>
 <context>
     <name>ConditionTokensText</name>
-    <message>
-        <source>Character %1: %2</source>
-        <translation>Caractère %1&#xa0;: %2</translation>
-    </message>
     <message>
         <source>%1 is not a number; write one like 380, 0.5 or 1e-3.</source>
         <translation>%1 n’est pas un nombre&#x202f;; écris-en un comme 380, 0.5 ou 1e-3.</translation>
@@ -1373,10 +1373,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <source>a body&apos;s name</source>
         <translation>le nom d’un corps</translation>
     </message>
-    <message>
-        <source>true or false</source>
-        <translation>true ou false</translation>
-    </message>
 </context>
 <context>
     <name>ExperimentLineText</name>
@@ -1457,14 +1453,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>there is no point %1 here; there is &quot;p0&quot; to %2.</source>
         <translation>il n’y a pas de point %1 ici&#x202f;; il y a de &quot;p0&quot; à %2.</translation>
-    </message>
-    <message>
-        <source>&quot;share&quot; is %1; it can be 0 to 1.</source>
-        <translation>&quot;share&quot; vaut %1&#x202f;; possible&#xa0;: de 0 à 1.</translation>
-    </message>
-    <message>
-        <source>&quot;length&quot; is %1; it can be 0 to 1000000 px.</source>
-        <translation>&quot;length&quot; vaut %1&#x202f;; possible&#xa0;: de 0 à 1000000 px.</translation>
     </message>
     <message>
         <source>&quot;bodies&quot; has %1 points; the most is %2.</source>
@@ -1614,6 +1602,21 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>The lesson on paper, as a PDF: with lines to write on, and the answers at the end</source>
         <translation>La leçon sur papier, en PDF&#xa0;: avec des lignes pour écrire, et les réponses à la fin</translation>
+    </message>
+</context>
+<context>
+    <name>FileRowText</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>C&amp;hoisir…</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Choisir un dossier et un nom</translation>
     </message>
 </context>
 <context>
@@ -2435,6 +2438,10 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>%1 has no field %2; there is %3.</source>
         <translation>%1 n’a pas de champ %2&#x202f;; il y a %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it can be %3 to %4.</source>
+        <translation>%1 vaut %2&#x202f;; possible&#xa0;: de %3 à %4.</translation>
     </message>
 </context>
 <context>
@@ -5526,8 +5533,8 @@ Un mot que le texte utilise, en une phrase.
         <translation>Fait un film de la simulation d’une expérience&#xa0;: une vidéo WebM, un GIF animé, un PNG par image, ou une page web qui la joue.</translation>
     </message>
     <message>
-        <source>The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the number of the frame.</source>
-        <translation>Le film&#xa0;: OUT.webm, OUT.gif, OUT.html ou OUT_%04d.png, où %04d représente le numéro de l’image.</translation>
+        <source>The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the number of the frame with 4 digits, such as 0007. %d writes 7, and the files do not sort by name.</source>
+        <translation>Le film&#xa0;: OUT.webm, OUT.gif, OUT.html ou OUT_%04d.png, où %04d représente le numéro de l’image en 4 chiffres, comme 0007. %d écrit 7&#x202f;; le nom ne trie alors pas les fichiers.</translation>
     </message>
     <message>
         <source>The first frame.</source>
@@ -7364,6 +7371,10 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Recherche d’un remède…</translation>
     </message>
     <message>
+        <source>Correct this line, and the run goes on.</source>
+        <translation>Corrige cette ligne, et la simulation continue.</translation>
+    </message>
+    <message>
         <source>Correct this line, and the run goes on. Undo reverts your last change.</source>
         <translation>Corrige cette ligne, et la simulation continue. Annuler retire ton dernier changement.</translation>
     </message>
@@ -7446,20 +7457,8 @@ Clique pour replier ou déplier (Entrée)</translation>
 <context>
     <name>app::FilmName</name>
     <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
         <source>Where to save the film</source>
         <translation>Où enregistrer le film</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>C&amp;hoisir…</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Choisir un dossier et un nom</translation>
     </message>
     <message>
         <source>%1 already exists. Replace it, or choose another name.</source>
@@ -7918,20 +7917,8 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>La même chose sur papier</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
         <source>Where to write, without an ending</source>
         <translation>Où écrire, sans extension</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>C&amp;hoisir…</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Choisir un dossier et un nom</translation>
     </message>
     <message>
         <source>F&amp;ile</source>
@@ -9993,10 +9980,6 @@ Clique pour replier ou déplier (Entrée)</translation>
 </context>
 <context>
     <name>app::SandboxEditor</name>
-    <message>
-        <source>You can only build at the start of the run. Press Home to go there.</source>
-        <translation>Tu ne peux construire qu’au début de la simulation. Appuie sur Début pour y aller.</translation>
-    </message>
     <message>
         <source>The scene has too many of this kind. Delete some first.</source>
         <translation>La scène en a trop de cette sorte. Supprimes-en d’abord.</translation>

@@ -5,35 +5,24 @@
 #include "sim/pipeline/method.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace app {
 
 namespace {
 
-void append(QByteArray &text, double value)
-{
-    text += ',';
-    appendNumber(text, value);
-}
+constexpr double none = std::numeric_limits<double>::quiet_NaN(); ///< an empty field
 
 void appendRow(QByteArray &text, const sim::AccuracyRow &row)
 {
-    text += quotedField(QString::fromStdString(row.setup.method->id()));
-    text += ',' + QByteArray::number(row.setup.method->order()) + ',';
-    if (!row.setup.step.isAdaptive())
-        appendNumber(text, row.setup.step.h);
-    text += ',';
-    if (row.setup.step.isAdaptive())
-        appendNumber(text, row.setup.step.tolerance);
-    append(text, row.error);
-    append(text, row.evaluations);
+    const sim::StepSize &step = row.setup.step;
     const bool isTimed = row.nsPerFrame > 0.0;
-    text += ',';
-    if (isTimed)
-        appendNumber(text, row.nsPerFrame);
-    text += ',';
-    if (isTimed)
-        appendNumber(text, row.spread);
+    text += quotedField(QString::fromStdString(row.setup.method->id())) + ',' +
+            QByteArray::number(row.setup.method->order());
+    for (const double value :
+         {step.isAdaptive() ? none : step.h, step.isAdaptive() ? step.tolerance : none, row.error,
+          row.evaluations, isTimed ? row.nsPerFrame : none, isTimed ? row.spread : none})
+        appendField(text, value);
     text += row.front ? ",1\n" : ",0\n";
 }
 
@@ -67,9 +56,7 @@ QByteArray errorsOverRun(const sim::Accuracy &accuracy, const std::vector<std::s
         text += QByteArray::number(static_cast<qulonglong>(frame));
         for (const std::size_t row : rows) {
             const std::vector<double> &errors = accuracy.rows[row].errorAt;
-            text += ',';
-            if (frame < errors.size())
-                appendNumber(text, errors[frame]);
+            appendField(text, frame < errors.size() ? errors[frame] : none);
         }
         text += '\n';
     }

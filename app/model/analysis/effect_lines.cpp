@@ -1,5 +1,6 @@
 #include "app/model/analysis/effect_lines.h"
 
+#include "app/model/catalog/lists.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
@@ -134,7 +135,7 @@ EffectLine listedLine(const EffectFacts &facts, const sim::Effect &effect)
     line.id = QString::fromStdString(id);
     line.title = capitalised(phrase(effect.title()));
     line.kind = effect.kind();
-    if (std::find(facts.off.begin(), facts.off.end(), id) != facts.off.end()) {
+    if (contains(facts.off, id)) {
         line.role = EffectRole::off;
         line.frame = QStringLiteral("0");
         line.note = EffectLinesText::tr("switched off");
@@ -241,7 +242,7 @@ std::vector<EffectLine> effectLines(const EffectFacts &facts)
     std::vector<EffectLine> lines;
     std::vector<std::string> ids;
     for (const sim::EffectPtr &effect : facts.listed) {
-        if (std::find(ids.begin(), ids.end(), effect->id()) != ids.end())
+        if (contains(ids, effect->id()))
             continue;
         ids.push_back(effect->id());
         lines.push_back(listedLine(facts, *effect));
@@ -253,7 +254,7 @@ std::vector<EffectLine> effectLines(const EffectFacts &facts)
     lines.push_back(restLine(facts.cost));
     std::vector<sim::EffectKind> kinds;
     for (const KnownEffect &known : facts.known) {
-        if (std::find(kinds.begin(), kinds.end(), known.kind) != kinds.end())
+        if (contains(kinds, known.kind))
             continue;
         kinds.push_back(known.kind);
         if (const auto line = absentLine(facts, known.kind))

@@ -1,5 +1,6 @@
 #include "app/model/analysis/representative_methods.h"
 
+#include "app/model/catalog/lists.h"
 #include "sim/pipeline/method.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::vector<std::string> representativeMethods(const sim::Accuracy &accuracy, co
             orders.insert(row.setup.method->order());
     }
     const auto add = [&](const sim::Method &method) {
-        const bool isNew = std::find(chosen.begin(), chosen.end(), method.id()) == chosen.end();
+        const bool isNew = !contains(chosen, method.id());
         if (isNew && chosen.size() < mostRepresentative) {
             chosen.push_back(method.id());
             orders.insert(method.order());

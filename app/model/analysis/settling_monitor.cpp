@@ -13,7 +13,6 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t mostSpots = 400;
 constexpr double softest = 0.01, stiffest = 10.0;  ///< 1/frame^2
 constexpr double leastKept = 0.04, mostKept = 1.0; ///< fraction per frame
 constexpr auto always = std::numeric_limits<std::int64_t>::max();
@@ -67,13 +66,8 @@ TriedSpot SettlingMonitor::present() const
 
 void SettlingMonitor::noteSpot()
 {
-    const TriedSpot spot = present();
-    if (!m_tried.empty() && m_tried.back() == spot)
-        return;
-    m_tried.push_back(spot);
-    if (m_tried.size() > mostSpots)
-        m_tried.erase(m_tried.begin());
-    emit changed();
+    if (addTried(m_tried, present()))
+        emit changed();
 }
 
 SettlingMonitor::Question SettlingMonitor::question() const

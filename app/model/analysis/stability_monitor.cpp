@@ -10,7 +10,6 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t mostTried = 400;
 constexpr double leastStiffness = 0.01, mostStiffness = 10.0; ///< 1/frame^2, of a map
 constexpr double leastStep = 1.0 / 64, mostStep = 4.0;        ///< frames
 constexpr double mostDamp =
@@ -163,12 +162,8 @@ void StabilityMonitor::noteSpot()
     spot.k = values.has("k") ? values["k"] : 0.0;
     spot.damp = values.has("damp") ? values["damp"] : 1.0;
     spot.h = m_run.timeline().script().step.h;
-    if (!m_tried.empty() && m_tried.back() == spot)
-        return;
-    m_tried.push_back(spot);
-    if (m_tried.size() > mostTried)
-        m_tried.erase(m_tried.begin());
-    emit mapChanged();
+    if (addTried(m_tried, spot))
+        emit mapChanged();
 }
 
 bool StabilityMonitor::canMap(MapPlane plane) const

@@ -14,6 +14,17 @@ double fitted(const lessons::Parameter &parameter, double value, double grid)
 
 }
 
+bool addTried(std::vector<TriedSpot> &tried, const TriedSpot &spot)
+{
+    constexpr std::size_t most = 400;
+    if (!tried.empty() && tried.back() == spot)
+        return false;
+    tried.push_back(spot);
+    if (tried.size() > most)
+        tried.erase(tried.begin());
+    return true;
+}
+
 const lessons::Parameter *stiffnessOf(const lessons::Step &step)
 {
     return step.parameter(QStringLiteral("k"));

@@ -2,6 +2,8 @@
 
 #include "lessons/api/step.h"
 
+#include <vector>
+
 namespace app {
 
 /// A setting that the learner has tried: a place on a map.
@@ -13,6 +15,9 @@ struct TriedSpot
     friend bool operator==(const TriedSpot &, const TriedSpot &) = default;
 };
 
+/// Adds `spot` to the settings that were tried, oldest first, unless it is the last one. Returns whether it was added. The
+/// oldest ones are dropped.
+bool addTried(std::vector<TriedSpot> &tried, const TriedSpot &spot);
 /// Returns the parameter across a map, or null: the stiffness of the step.
 const lessons::Parameter *stiffnessOf(const lessons::Step &step);
 /// Returns the parameter that damps, or null.

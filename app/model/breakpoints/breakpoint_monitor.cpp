@@ -2,6 +2,7 @@
 
 #include "app/listing/tokens.h"
 #include "app/model/breakpoints/condition_names.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/code/code_listing.h"
 #include "app/model/code/source_files.h"
 #include "app/model/listing/assigned_paths.h"
@@ -110,7 +111,7 @@ void BreakpointMonitor::watch(const std::vector<Breakpoint> &breakpoints, const 
     }
     m_shown = m_next = nullptr;
     m_last = {-1, 0};
-    m_rowsOver = 0;
+    m_outputStepsOver = 0;
 }
 
 void BreakpointMonitor::fit(const sim::Timeline &run)
@@ -163,8 +164,7 @@ sim::Cursor BreakpointMonitor::nextPlace(const sim::Timeline &run, sim::Cursor t
     const auto mayStopAt = [&](int phase) {
         return std::any_of(m_watched.begin(), m_watched.end(), [&](const Watched &one) {
             return one.isInForce && !one.isOfLines &&
-                   (!one.breakpoint.place || std::find(one.phases.begin(), one.phases.end(),
-                                                       phase % pipeline.phasesPerStep()) != one.phases.end());
+                   (!one.breakpoint.place || contains(one.phases, phase % pipeline.phasesPerStep()));
         });
     };
     const sim::Cursor at = run.cursor();
@@ -184,8 +184,7 @@ std::optional<BreakHit> BreakpointMonitor::hitAt(const sim::Timeline &run)
     for (Watched &one : m_watched) {
         if (one.isOfLines)
             continue;
-        const bool isHere = !one.breakpoint.place ||
-                            std::find(one.phases.begin(), one.phases.end(), phase) != one.phases.end();
+        const bool isHere = !one.breakpoint.place || contains(one.phases, phase);
         if (!isHere)
             continue;
         const bool now = holds(one, run);
@@ -239,7 +238,7 @@ std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, 
 std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor target)
 {
     if (run.cursor() != m_last)
-        m_rowsOver = 0;
+        m_outputStepsOver = 0;
     checkBreakpoints(run);
     target.frame =
         target.frame / run.track().framesPerOutput() * run.track().framesPerOutput(); // rounded as in seek()
@@ -253,7 +252,7 @@ std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor t
         }
         hit = hitAt(run);
         if (run.cursor().phase == 0)
-            m_rowsOver = run.isFinished() ? m_rowsOver + 1 : 0;
+            m_outputStepsOver = run.isFinished() ? m_outputStepsOver + 1 : 0;
         // The run arrives before the first line. The later lines are checked when the run continues.
         if (!hit)
             hit = hitInLines(run, run.cursor() < target ? Lines::all : Lines::first, allLines);
@@ -273,7 +272,8 @@ bool BreakpointMonitor::mayStillStop(const sim::Timeline &run) const
         return one.isInForce && one.condition && one.condition->readsFrame();
     });
     // Sleeping bodies repeat a cycle of states. After one whole cycle, all of them have been checked.
-    return isWatching() && (readsFrame || !run.isFinished() || m_rowsOver <= sim::CycleDetector::longest);
+    return isWatching() &&
+           (readsFrame || !run.isFinished() || m_outputStepsOver <= sim::CycleDetector::longest);
 }
 
 }

@@ -89,7 +89,7 @@ private:
         m_next; ///< the intervals that m_watched was prepared for
     std::function<LinesAhead()> m_lines;
     sim::Cursor m_last = {-1, 0}; ///< where run() stopped last
-    int m_rowsOver = 0;           ///< consecutive output steps checked since the run was over
+    int m_outputStepsOver = 0;    ///< consecutive output steps checked since the run was over
 };
 
 }

@@ -1,7 +1,7 @@
 #include "app/model/breakpoints/breakpoints.h"
 
 #include "app/model/breakpoints/condition.h"
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/listing/changed_lines.h"
 
 #include <algorithm>

@@ -1,7 +1,9 @@
 #include "app/model/breakpoints/condition.h"
 
+#include "app/model/breakpoints/condition_names.h"
 #include "app/model/breakpoints/condition_parser.h"
 #include "app/model/breakpoints/condition_tokens.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/text/user_error.h"
 #include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
@@ -31,11 +33,10 @@ bool isStill(int point, const ConditionMoment &moment)
 /// body has a member, as in "foot.y".
 bool isArgument(const std::vector<ConditionToken> &words, std::size_t i)
 {
-    static const QStringList functions = {"distance", "speed", "still", "held", "released"};
     if (i == 0 || words[i - 1].kind != ConditionToken::Kind::sign)
         return false;
-    return words[i - 1].text == u"," ||
-           (i > 1 && words[i - 1].text == u"(" && functions.contains(words[i - 2].text));
+    return words[i - 1].text == u"," || (i > 1 && words[i - 1].text == u"(" &&
+                                         condition_names::bodyFunctions().contains(words[i - 2].text));
 }
 
 /// Returns the number that an operation without operands reads.
@@ -68,8 +69,7 @@ double read(const Condition::Operation &operation, const ConditionMoment &moment
     case Kind::released:
         return moment.run && lessons::isReleased(*moment.run, operation.path);
     case Kind::phaseIs:
-        return moment.next && std::find(operation.phases.begin(), operation.phases.end(),
-                                        moment.next->id + '/' + moment.next->title) != operation.phases.end();
+        return moment.next && contains(operation.phases, moment.next->id + '/' + moment.next->title);
     default:
         return operation.number;
     }

@@ -27,6 +27,16 @@ void refuse(qsizetype place, const QString &why)
     throw UserError(ConditionNamesText::tr("Character %1: %2").arg(place).arg(why));
 }
 
+const QHash<QString, Kind> &bodyFunctions()
+{
+    static const QHash<QString, Kind> functions = {{"distance", Kind::distance},
+                                                   {"speed", Kind::speed},
+                                                   {"still", Kind::still},
+                                                   {"held", Kind::held},
+                                                   {"released", Kind::released}};
+    return functions;
+}
+
 QString someOf(const QStringList &names)
 {
     constexpr int most = 8;

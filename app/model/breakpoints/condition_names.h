@@ -13,6 +13,8 @@ namespace app::condition_names {
 /// @throws UserError "Character 7: why"
 [[noreturn]] void refuse(qsizetype place, const QString &why);
 
+/// Returns the functions of bodies, such as distance(a, b), by name.
+const QHash<QString, Condition::Operation::Kind> &bodyFunctions();
 /// Returns a few of `names` for a sentence.
 QString someOf(const QStringList &names);
 /// Returns the names of the first bodies.

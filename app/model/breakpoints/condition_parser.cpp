@@ -3,9 +3,9 @@
 #include "app/model/breakpoints/condition_names.h"
 #include "app/model/text/quoting.h"
 
-#include <QCoreApplication>
 #include <QHash>
 
+#include <algorithm>
 #include <utility>
 
 namespace app {
@@ -107,26 +107,28 @@ ConditionParser::Part ConditionParser::joined(Part left, Part right, Kind kind, 
     return left;
 }
 
+ConditionParser::Part ConditionParser::chain(Part (ConditionParser::*part)(), const Signs &signs, Type type)
+{
+    Part left = (this->*part)();
+    for (;;) {
+        const auto sign =
+            std::find_if(signs.begin(), signs.end(), [this](const auto &one) { return take(one.first); });
+        if (sign == signs.end())
+            return left;
+        Part right = (this->*part)();
+        need(left, type), need(right, type);
+        left = joined(std::move(left), std::move(right), sign->second, type);
+    }
+}
+
 ConditionParser::Part ConditionParser::either()
 {
-    Part left = both();
-    while (take(QStringLiteral("or"))) {
-        Part right = both();
-        need(left, Type::truth), need(right, Type::truth);
-        left = joined(std::move(left), std::move(right), Kind::either, Type::truth);
-    }
-    return left;
+    return chain(&ConditionParser::both, {{"or", Kind::either}}, Type::truth);
 }
 
 ConditionParser::Part ConditionParser::both()
 {
-    Part left = negated();
-    while (take(QStringLiteral("and"))) {
-        Part right = negated();
-        need(left, Type::truth), need(right, Type::truth);
-        left = joined(std::move(left), std::move(right), Kind::both, Type::truth);
-    }
-    return left;
+    return chain(&ConditionParser::negated, {{"and", Kind::both}}, Type::truth);
 }
 
 ConditionParser::Part ConditionParser::negated()
@@ -171,26 +173,12 @@ ConditionParser::Part ConditionParser::comparison(const ConditionToken &sign, Pa
 
 ConditionParser::Part ConditionParser::sum()
 {
-    Part left = product();
-    while (isSign(QStringLiteral("+")) || isSign(QStringLiteral("-"))) {
-        const Kind kind = take(QStringLiteral("+")) ? Kind::add : (++m_at, Kind::subtract);
-        Part right = product();
-        need(left, Type::number), need(right, Type::number);
-        left = joined(std::move(left), std::move(right), kind, Type::number);
-    }
-    return left;
+    return chain(&ConditionParser::product, {{"+", Kind::add}, {"-", Kind::subtract}}, Type::number);
 }
 
 ConditionParser::Part ConditionParser::product()
 {
-    Part left = withSign();
-    while (isSign(QStringLiteral("*")) || isSign(QStringLiteral("/"))) {
-        const Kind kind = take(QStringLiteral("*")) ? Kind::multiply : (++m_at, Kind::divide);
-        Part right = withSign();
-        need(left, Type::number), need(right, Type::number);
-        left = joined(std::move(left), std::move(right), kind, Type::number);
-    }
-    return left;
+    return chain(&ConditionParser::withSign, {{"*", Kind::multiply}, {"/", Kind::divide}}, Type::number);
 }
 
 ConditionParser::Part ConditionParser::withSign()

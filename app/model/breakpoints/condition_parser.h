@@ -5,6 +5,9 @@
 
 #include <QCoreApplication>
 
+#include <utility>
+#include <vector>
+
 namespace app {
 
 /// A parser for conditions. From lowest to highest precedence: or, and, not, comparisons, + -, * /, a leading sign.
@@ -38,7 +41,11 @@ private:
     };
     using Kind = Condition::Operation::Kind;
 
+    using Signs = std::vector<std::pair<QString, Kind>>;
+
     Part whole(Type type);
+    /// Parses parts of one type with `signs` between them, such as a + b - c. They are joined from left to right.
+    Part chain(Part (ConditionParser::*part)(), const Signs &signs, Type type);
     Part either();
     Part both();
     Part negated();

@@ -50,12 +50,10 @@ ConditionParser::Part ConditionParser::named()
         return function(word.text == u"abs" ? Kind::absolute : Kind::root);
     const bool isCalled =
         m_words[m_at + 1].kind == ConditionToken::Kind::sign && m_words[m_at + 1].text == u"(";
-    if (isCalled && (word.text == u"distance" || word.text == u"speed"))
-        return ofBodies(word.text == u"distance" ? Kind::distance : Kind::speed);
-    if (isCalled && word.text == u"still")
-        return aboutBody(Kind::still);
-    if (isCalled && (word.text == u"held" || word.text == u"released"))
-        return aboutBody(word.text == u"held" ? Kind::held : Kind::released);
+    if (isCalled && bodyFunctions().contains(word.text)) {
+        const Kind kind = bodyFunctions()[word.text];
+        return kind == Kind::distance || kind == Kind::speed ? ofBodies(kind) : aboutBody(kind);
+    }
     if (isVariable(word))
         return variable(word);
     if (word.text.contains('.'))

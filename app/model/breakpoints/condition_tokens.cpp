@@ -1,5 +1,6 @@
 #include "app/model/breakpoints/condition_tokens.h"
 
+#include "app/model/breakpoints/condition_names.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/user_error.h"
 
@@ -15,6 +16,7 @@ namespace app {
 namespace {
 
 using Word = ConditionToken;
+using condition_names::refuse;
 
 struct ConditionTokensText
 {
@@ -35,11 +37,6 @@ constexpr Spelling spellings[] = {
     {u"÷", u"/"},   {u"(", u"("},   {u")", u")"},   {u"!", u"not"},
 };
 
-[[noreturn]] void refuse(qsizetype index, const QString &why)
-{
-    throw UserError(ConditionTokensText::tr("Character %1: %2").arg(index + 1).arg(why));
-}
-
 Word numberAt(const QString &text, qsizetype from)
 {
     static const QRegularExpression number(
@@ -48,8 +45,8 @@ Word numberAt(const QString &text, qsizetype from)
     bool isNumber = false;
     const double value = written.toDouble(&isNumber);
     if (!isNumber || !std::isfinite(value))
-        refuse(from, ConditionTokensText::tr("%1 is not a number; write one like 380, 0.5 or 1e-3.")
-                         .arg(quoted(written)));
+        refuse(from + 1, ConditionTokensText::tr("%1 is not a number; write one like 380, 0.5 or 1e-3.")
+                             .arg(quoted(written)));
     return {Word::Kind::number, written, value, from + 1};
 }
 
@@ -77,7 +74,7 @@ Word textAt(const QString &text, qsizetype from)
     const auto end = std::find_if(begin, text.end(), ends);
     if (end == text.end())
         refuse(
-            from,
+            from + 1,
             ConditionTokensText::tr("This text has no closing quotation mark; close it with %1.").arg(last));
     return {Word::Kind::text, text.mid(from + 1, end - begin), 0.0, from + 1};
 }
@@ -94,16 +91,16 @@ const Spelling *signAt(const QString &text, qsizetype from)
 [[noreturn]] void refuseCharacter(const QString &text, qsizetype at)
 {
     if (text[at] == '=')
-        refuse(at,
+        refuse(at + 1,
                ConditionTokensText::tr("A single “=” would set a value; write == to compare two values."));
     if (text[at] == ',')
-        refuse(at,
+        refuse(at + 1,
                ConditionTokensText::tr(
                    "A comma has no meaning here; write 0.5 with a point, and join conditions with “and”."));
-    refuse(at, ConditionTokensText::tr(
-                   "%1 has no meaning here; there are numbers, names, + - * / ( ), comparisons, and, "
-                   "or, not.")
-                   .arg(quoted(text.mid(at, text[at].isHighSurrogate() ? 2 : 1))));
+    refuse(at + 1, ConditionTokensText::tr(
+                       "%1 has no meaning here; there are numbers, names, + - * / ( ), comparisons, and, "
+                       "or, not.")
+                       .arg(quoted(text.mid(at, text[at].isHighSurrogate() ? 2 : 1))));
 }
 
 }

@@ -1,7 +1,7 @@
 #include "app/model/catalog/lesson_library.h"
 
-#include "app/model/catalog/find_by_id.h"
 #include "app/model/catalog/lesson_plugin.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/lesson_folders/lesson_folder.h"
 #include "app/model/text/user_error.h"
 

@@ -1,6 +1,6 @@
 #include "app/model/catalog/lesson_summary.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 
 namespace app {
 

@@ -78,12 +78,13 @@ std::optional<Value> runRow(sim::State &state, const sim::ComposedInterval &inte
 /// Returns how many output steps before the cursor may be computed again.
 std::int64_t rowsToCompute(const sim::Track &run)
 {
-    const std::int64_t perRow = run.script().step.stepsPerOutput * std::max(1, run.state().pointCount());
-    const std::int64_t most = std::min<std::int64_t>(historyFrames, mostComputed / perRow);
+    const std::int64_t perOutputStep =
+        run.script().step.stepsPerOutput * std::max(1, run.state().pointCount());
+    const std::int64_t most = std::min<std::int64_t>(historyFrames, mostComputed / perOutputStep);
     const std::int64_t framesPerOutput = run.framesPerOutput();
     const std::int64_t first = std::max<std::int64_t>(0, run.cursor().frame - most * framesPerOutput);
     const std::int64_t way = (first - run.cachedFrameBefore(first)) / framesPerOutput;
-    return way * perRow > 10 * mostComputed ? 0 : most;
+    return way * perOutputStep > 10 * mostComputed ? 0 : most;
 }
 
 }

@@ -1,5 +1,6 @@
 #include "app/model/code/code_listing.h"
 
+#include "app/model/catalog/lists.h"
 #include "app/model/code/code_lines.h"
 #include "app/model/text/sentences.h"
 #include "sim/base/error.h"
@@ -67,7 +68,7 @@ bool isOfEffect(const sim::Phase &phase, const sim::Region &region)
         return true;
     for (const sim::DirectionRule way : {sim::DirectionRule::published, sim::DirectionRule::regularised}) {
         const std::vector<sim::Region> own = phase.effect->regions(way);
-        if (std::find(own.begin(), own.end(), region) != own.end())
+        if (contains(own, region))
             return true;
     }
     return false;
@@ -163,7 +164,7 @@ QStringList CodeSection::files() const
 
 bool CodeSection::has(int phase) const
 {
-    return std::find(phases.begin(), phases.end(), phase) != phases.end();
+    return contains(phases, phase);
 }
 
 int CodeListing::newLines() const

@@ -1,6 +1,7 @@
 #include "app/model/experiment/blueprint_reader.h"
 
 #include "app/listing/rule_program.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/experiment_method.h"
 #include "app/model/experiment/json_fields.h"
 #include "app/model/sandbox/blueprint_limits.h"
@@ -12,8 +13,6 @@
 #include <QCoreApplication>
 #include <QHash>
 #include <QRegularExpression>
-
-#include <algorithm>
 
 namespace app {
 
@@ -52,27 +51,6 @@ public:
     }
 
 private:
-    /// Returns the value `name` of `fields`, which must lie in `span`. Returns `usual` if the field is missing.
-    double number(const JsonFields &fields, const QString &name, Span span,
-                  std::optional<double> usual = {}) const
-    {
-        const JsonValue *value = fields.find(name);
-        if (!value && usual)
-            return *usual;
-        const double found = fields.number(name);
-        if (!span.holds(found))
-            refuse(m_file, fields.find(name)->line,
-                   tr("%1 is %2; it can be %3 to %4.")
-                       .arg(quoted(name), exactNumber(found), exactNumber(span.min), exactNumber(span.max)));
-        return found;
-    }
-
-    bool truth(const JsonFields &fields, const QString &name, bool usual) const
-    {
-        const JsonValue *value = fields.find(name);
-        return value ? truthOf(m_file, *value, name) : usual;
-    }
-
     /// Calls `each(value)` for each entry of the list `name`, if the list exists.
     template <class Each>
     void forEach(const QString &name, std::size_t most, const Each &each) const
@@ -122,15 +100,15 @@ private:
         body.refuseOthers(known);
         sim::BlueprintPoint point;
         point.name = name.toStdString();
-        point.x = {number(body, "x", built::place), number(body, "y", built::place)};
-        point.v = {number(body, "vx", built::speed, 0.0), number(body, "vy", built::speed, 0.0)};
-        point.mass = number(body, "mass", built::mass, point.mass);
-        point.size = number(body, "size", built::size, point.size);
-        point.fixed = truth(body, "fixed", false);
+        point.x = {body.number("x", built::place), body.number("y", built::place)};
+        point.v = {body.number("vx", built::speed, 0.0), body.number("vy", built::speed, 0.0)};
+        point.mass = body.number("mass", built::mass, point.mass);
+        point.size = body.number("size", built::size, point.size);
+        point.fixed = body.boolean("fixed", false);
         for (const sim::EffectDescription *effect : m_step.availableEffects) {
             for (const sim::ParameterSpec &parameter : effect->pointProperties) {
                 const double own =
-                    number(body, parameter.id, {parameter.min, parameter.max}, parameter.defaultValue);
+                    body.number(parameter.id, {parameter.min, parameter.max}, parameter.defaultValue);
                 sim::setValue(point, parameter, own);
             }
         }
@@ -170,7 +148,7 @@ private:
             spring.refuseOthers({"a", "b", "k", "length"});
             const auto [a, b] = ends(spring, "a", "b", tr("a spring"));
             m_plan.springs.push_back(
-                {a, b, number(spring, "k", built::stiffness), number(spring, "length", built::length)});
+                {a, b, spring.number("k", built::stiffness), spring.number("length", built::length)});
         });
     }
 
@@ -181,7 +159,7 @@ private:
             stick.refuseOthers({"a", "b", "length", "share"});
             const auto [a, b] = ends(stick, "a", "b", tr("a stick"));
             m_plan.sticks.push_back(
-                {a, b, number(stick, "length", built::length), number(stick, "share", built::share, 0.5)});
+                {a, b, stick.number("length", built::length), stick.number("share", built::share, 0.5)});
         });
     }
 
@@ -191,12 +169,12 @@ private:
             const JsonFields fields(m_file, value, tr("a gait group"));
             fields.refuseOthers({"k", "leg", "drop", "speed", "start", "pulls_body"});
             sim::BlueprintGait gait;
-            gait.k = number(fields, "k", built::stiffness, gait.k);
-            gait.leg = number(fields, "leg", built::length, gait.leg);
-            gait.drop = number(fields, "drop", built::drop, gait.drop);
-            gait.speed = number(fields, "speed", built::gaitSpeed, gait.speed);
-            gait.start = number(fields, "start", built::gaitStart, gait.start);
-            gait.pullsBody = truth(fields, "pulls_body", gait.pullsBody);
+            gait.k = fields.number("k", built::stiffness, gait.k);
+            gait.leg = fields.number("leg", built::length, gait.leg);
+            gait.drop = fields.number("drop", built::drop, gait.drop);
+            gait.speed = fields.number("speed", built::gaitSpeed, gait.speed);
+            gait.start = fields.number("start", built::gaitStart, gait.start);
+            gait.pullsBody = fields.boolean("pulls_body", gait.pullsBody);
             m_plan.gaits.push_back(gait);
         });
     }
@@ -216,10 +194,9 @@ private:
                        tr("%1 is a foot twice; it can be the foot of only one body.")
                            .arg(quoted(
                                QString::fromStdString(m_plan.points[static_cast<std::size_t>(foot)].name))));
-            const JsonValue *group = fields.find("gait");
             const auto last = std::int64_t(m_plan.gaits.size()) - 1;
-            const int gait = group ? int(wholeOf(m_file, *group, "gait", 0, last)) : 0;
-            m_plan.feet.push_back({foot, body, number(fields, "angle", built::angle, 0.0), gait});
+            const int gait = int(fields.integer("gait", 0, last, 0));
+            m_plan.feet.push_back({foot, body, fields.number("angle", built::angle, 0.0), gait});
         });
     }
 
@@ -236,7 +213,7 @@ private:
                           "need no effect.")
                            .arg(quoted(id), quotedList(known, id)));
             std::vector<std::string> &all = m_plan.effects;
-            if (std::find(all.begin(), all.end(), id.toStdString()) != all.end())
+            if (contains(all, id.toStdString()))
                 refuse(m_file, value.line, tr("the effect %1 is given twice; keep one.").arg(quoted(id)));
             all.push_back(id.toStdString());
         });
@@ -244,8 +221,7 @@ private:
 
     void readRule()
     {
-        const JsonValue *rule = m_scene.find("rule");
-        if (!rule)
+        if (!m_scene.find("rule"))
             return;
         std::vector<std::string> declared; // by a lesson, since all others belong to effects
         for (const lessons::Parameter &parameter : m_step.parameters) {
@@ -253,12 +229,11 @@ private:
                 declared.push_back(parameter.id.toStdString());
         }
         const listing::CompiledRule compiled =
-            listing::compileRule(codeText(m_file, *rule, "rule").toStdString(), declared);
+            listing::compileRule(codeText(m_scene, "rule").toStdString(), declared);
         if (!compiled.rule) {
             const listing::CompileError &error = compiled.errors.front();
-            refuse(m_file, rule->line,
-                   tr("\"rule\" does not compile. Line %1: %2")
-                       .arg(QString::number(error.line), listingSentence(error.sentence)));
+            m_scene.refuse("rule", tr("\"rule\" does not compile. Line %1: %2")
+                                       .arg(QString::number(error.line), listingSentence(error.sentence)));
         }
         m_plan.rule = {compiled.rule};
     }

@@ -1,6 +1,6 @@
 #include "app/model/experiment/experiment_input.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/experiment/experiment_events.h"
 #include "app/model/experiment/json_fields.h"
@@ -55,46 +55,36 @@ private:
     decltype(sim::Event::what) what(const QString &id, const JsonFields &fields) const
     {
         if (id == "grab")
-            return sim::Grab{text(fields, "body", tr("a body's name")).toStdString()};
+            return sim::Grab{fields.text("body", tr("a body's name")).toStdString()};
         if (id == "move")
             return sim::Move{place(fields)};
         if (id == "release")
             return sim::Release{};
         if (id == "pointer")
-            return sim::Pointer{place(fields), fields.find("down") && isTrue(fields, "down")};
+            return sim::Pointer{place(fields), fields.boolean("down", false)};
         if (id == "target")
             return sim::Target{place(fields)};
         if (id == "gust")
             return sim::Gust{fields.number("degrees")};
         if (id == "key")
-            return sim::Key{key(fields), isTrue(fields, "down")};
+            return sim::Key{key(fields), fields.boolean("down")};
         return set(fields);
     }
 
     static sim::Vec2 place(const JsonFields &fields) { return {fields.number("x"), fields.number("y")}; }
-
-    QString text(const JsonFields &fields, const QString &name, const QString &possible) const
-    {
-        return textOf(m_file, fields.require(name, possible), name);
-    }
-
-    bool isTrue(const JsonFields &fields, const QString &name) const
-    {
-        return truthOf(m_file, fields.require(name, tr("true or false")), name);
-    }
 
     bool sim::Keys::*key(const JsonFields &fields) const
     {
         QStringList names;
         for (const KeyName &one : keyNames())
             names.push_back(one.name);
-        const QString given = text(fields, "key", quotedList(names));
+        const QString given = fields.text("key", quotedList(names));
         for (const KeyName &one : keyNames()) {
             if (one.name == given)
                 return one.key;
         }
-        refuse(m_file, fields.find("key")->line,
-               tr("there is no key %1; there is %2.").arg(quoted(given), quotedList(names, given)));
+        fields.refuse("key",
+                      tr("there is no key %1; there is %2.").arg(quoted(given), quotedList(names, given)));
     }
 
     sim::Set set(const JsonFields &fields) const

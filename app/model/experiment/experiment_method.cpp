@@ -30,19 +30,18 @@ sim::MethodPtr emptyListing()
 }
 
 /// Rejects a field "code" with another method, and the method of listings without it.
-void refuseCodeOfOthers(const QString &file, const JsonFields &fields, const sim::MethodPtr &method)
+void refuseCodeOfOthers(const JsonFields &fields, const sim::MethodPtr &method)
 {
     const JsonValue *code = fields.find("code");
     const bool isListing = programOf(method) != nullptr;
     if (code && !isListing)
-        refuse(file, code->line,
-               ExperimentMethodText::tr(
-                   "\"code\" needs the method %1; set \"method\" to it, or remove \"code\".")
-                   .arg(quoted(listingMethod)));
+        fields.refuse("code", ExperimentMethodText::tr(
+                                  "\"code\" needs the method %1; set \"method\" to it, or remove \"code\".")
+                                  .arg(quoted(listingMethod)));
     if (!code && isListing)
-        refuse(file, fields.find("method")->line,
-               ExperimentMethodText::tr("the method %1 needs \"code\", the text of a listing.")
-                   .arg(quoted(listingMethod)));
+        fields.refuse("method",
+                      ExperimentMethodText::tr("the method %1 needs \"code\", the text of a listing.")
+                          .arg(quoted(listingMethod)));
 }
 
 QString noMethod(const QString &id)
@@ -55,97 +54,88 @@ QString noMethod(const QString &id)
         .arg(quoted(id), quotedList(ids, id));
 }
 
-sim::StepSize readH(const QString &file, const JsonValue &value)
+sim::StepSize readH(const JsonFields &fields)
 {
-    const double h = numberOf(file, value, "h");
+    const double h = fields.number("h");
     try {
         return sim::StepSize::ofLength(h);
     } catch (const sim::Error &) {
-        refuse(file, value.line,
-               ExperimentMethodText::tr(
-                   "\"h\" is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: "
-                   "2, 1, 0.5, 0.25...")
-                   .arg(exactNumber(h)));
+        fields.refuse(
+            "h", ExperimentMethodText::tr(
+                     "\"h\" is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: "
+                     "2, 1, 0.5, 0.25...")
+                     .arg(exactNumber(h)));
     }
 }
 
-sim::StepSize readTolerance(const QString &file, const JsonValue &value)
+sim::StepSize readTolerance(const JsonFields &fields)
 {
-    const double tolerance = numberOf(file, value, "tolerance");
+    const double tolerance = fields.number("tolerance");
     try {
         return sim::StepSize::withTolerance(tolerance);
     } catch (const sim::Error &) {
-        refuse(file, value.line,
-               ExperimentMethodText::tr("\"tolerance\" is %1; it can be 1e-13 to 100 px.")
-                   .arg(exactNumber(tolerance)));
+        fields.refuse("tolerance", ExperimentMethodText::tr("\"tolerance\" is %1; it can be 1e-13 to 100 px.")
+                                       .arg(exactNumber(tolerance)));
     }
 }
 
 }
 
-void readMethod(const QString &file, const JsonFields &fields, sim::Script &script)
+void readMethod(const JsonFields &fields, sim::Script &script)
 {
-    if (const JsonValue *method = fields.find("method")) {
-        const QString id = textOf(file, *method, "method");
+    if (fields.find("method")) {
+        const QString id = fields.optionalText("method");
         script.method = id == listingMethod ? emptyListing() : sim::findMethod(id.toStdString());
         if (!script.method)
-            refuse(file, method->line, noMethod(id));
+            fields.refuse("method", noMethod(id));
     }
-    refuseCodeOfOthers(file, fields, script.method);
+    refuseCodeOfOthers(fields, script.method);
     const bool isAdaptive = script.method->stepping() == sim::Stepping::adaptive;
     const QString id = quoted(QString::fromStdString(script.method->id()));
-    const JsonValue *h = fields.find("h");
-    const JsonValue *tolerance = fields.find("tolerance");
-    if (h && isAdaptive)
-        refuse(file, h->line,
-               ExperimentMethodText::tr(
-                   "the method %1 chooses its own steps; give \"tolerance\" instead of \"h\".")
-                   .arg(id));
-    if (tolerance && !isAdaptive)
-        refuse(file, tolerance->line,
-               ExperimentMethodText::tr("the method %1 has fixed steps; give \"h\" instead of \"tolerance\".")
-                   .arg(id));
-    if (h)
-        script.step = readH(file, *h);
-    else if (tolerance)
-        script.step = readTolerance(file, *tolerance);
+    const bool hasH = fields.find("h"), hasTolerance = fields.find("tolerance");
+    if (hasH && isAdaptive)
+        fields.refuse("h", ExperimentMethodText::tr(
+                               "the method %1 chooses its own steps; give \"tolerance\" instead of \"h\".")
+                               .arg(id));
+    if (hasTolerance && !isAdaptive)
+        fields.refuse("tolerance", ExperimentMethodText::tr(
+                                       "the method %1 has fixed steps; give \"h\" instead of \"tolerance\".")
+                                       .arg(id));
+    if (hasH)
+        script.step = readH(fields);
+    else if (hasTolerance)
+        script.step = readTolerance(fields);
     else
         script.step = sim::stepFor(*script.method, script.step);
 }
 
-QString codeText(const QString &file, const JsonValue &value, const QString &name)
+QString codeText(const JsonFields &fields, const QString &name)
 {
-    const QString text = textOf(file, value, name);
+    const QString text = fields.optionalText(name);
     const std::size_t bytes = text.toStdString().size();
     if (bytes > listing::maxTextBytes)
-        refuse(file, value.line,
-               ExperimentMethodText::tr("%1 has %2 bytes; it can have up to %3.")
-                   .arg(quoted(name), QString::number(bytes), QString::number(listing::maxTextBytes)));
+        fields.refuse(name,
+                      ExperimentMethodText::tr("%1 has %2 bytes; it can have up to %3.")
+                          .arg(quoted(name), QString::number(bytes), QString::number(listing::maxTextBytes)));
     return text;
 }
 
-QString learnersText(const QString &file, const JsonValue &value, const QString &name,
-                     const lessons::Listing &original)
+QString learnersText(const JsonFields &fields, const QString &name, const lessons::Listing &original)
 {
-    const QString written = codeText(file, value, name);
+    const QString written = codeText(fields, name);
     const QString text = original.inLanguageOfWindow(written);
     return text.toStdString().size() <= listing::maxTextBytes ? text : written;
 }
 
-void readCode(const QString &file, const JsonFields &fields, const lessons::Listing &original,
-              sim::Script &script)
+void readCode(const JsonFields &fields, const lessons::Listing &original, sim::Script &script)
 {
-    const JsonValue *code = fields.find("code");
-    if (!code)
+    if (!fields.find("code"))
         return;
-    const std::string text = learnersText(file, *code, "code", original).toStdString();
-    const listing::Compiled compiled =
-        listing::Program::compile(text, listing::vocabularyOf(sim::sceneOf(script, script.values)));
+    const listing::Compiled compiled = compiledFor(script, learnersText(fields, "code", original));
     if (!compiled.program) {
         const listing::CompileError &error = compiled.errors.front();
-        refuse(file, code->line,
-               ExperimentMethodText::tr("\"code\" does not compile. Line %1: %2")
-                   .arg(QString::number(error.line), listingSentence(error.sentence)));
+        fields.refuse("code", ExperimentMethodText::tr("\"code\" does not compile. Line %1: %2")
+                                  .arg(QString::number(error.line), listingSentence(error.sentence)));
     }
     script.method = std::make_shared<const listing::ListingMethod>(compiled.program);
 }

@@ -39,33 +39,11 @@ int endOf(const QString &file, const JsonFields &link, const QString &name, int 
     return point;
 }
 
-double shareOf(const QString &file, const JsonFields &link)
-{
-    const JsonValue *value = link.find(QStringLiteral("share"));
-    if (!value)
-        return 0.5;
-    const double share = numberOf(file, *value, QStringLiteral("share"));
-    if (!(share >= 0.0 && share <= 1.0))
-        refuse(file, value->line,
-               ExperimentPointsText::tr("\"share\" is %1; it can be 0 to 1.").arg(exactNumber(share)));
-    return share;
-}
-
-double lengthOf(const QString &file, const JsonFields &link)
-{
-    const double length = link.number(QStringLiteral("length"));
-    if (!(length >= 0.0 && length <= 1e6))
-        refuse(file, link.find(QStringLiteral("length"))->line,
-               ExperimentPointsText::tr("\"length\" is %1; it can be 0 to 1000000 px.")
-                   .arg(exactNumber(length)));
-    return length;
-}
-
 }
 
 int countPoints(const QString &file, const JsonValue &bodies)
 {
-    const JsonFields fields(file, bodies, quoted(QStringLiteral("bodies")));
+    const JsonFields fields(file, bodies, quoted("bodies"));
     const int count = static_cast<int>(fields.all().size());
     if (count > mostPoints)
         refuse(
@@ -88,7 +66,7 @@ int countPoints(const QString &file, const JsonValue &bodies)
 
 std::vector<sim::Stick> readSticks(const QString &file, const JsonValue &links, int points)
 {
-    const JsonValue::List &list = listOf(file, links, QStringLiteral("links"));
+    const JsonValue::List &list = listOf(file, links, "links");
     if (list.size() > std::size_t(mostSticks))
         refuse(file, links.line,
                ExperimentPointsText::tr("\"links\" has %1 sticks; the most is %2.")
@@ -97,17 +75,16 @@ std::vector<sim::Stick> readSticks(const QString &file, const JsonValue &links, 
     std::vector<sim::Stick> sticks;
     for (const JsonValue &value : list) {
         const JsonFields link(file, value, ExperimentPointsText::tr("a link"));
-        link.refuseOthers(
-            {QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("length"), QStringLiteral("share")});
+        link.refuseOthers({"a", "b", "length", "share"});
         sim::Stick stick;
-        stick.a = endOf(file, link, QStringLiteral("a"), points);
-        stick.b = endOf(file, link, QStringLiteral("b"), points);
+        stick.a = endOf(file, link, "a", points);
+        stick.b = endOf(file, link, "b", points);
         if (stick.a == stick.b)
             refuse(file, link.line(),
                    ExperimentPointsText::tr("a link has %1 at both ends; give it two points.")
                        .arg(quoted(nameOf(stick.a))));
-        stick.length = lengthOf(file, link);
-        stick.share = shareOf(file, link);
+        stick.length = link.number("length", built::length);
+        stick.share = link.number("share", built::share, 0.5);
         sticks.push_back(stick);
     }
     return sticks;

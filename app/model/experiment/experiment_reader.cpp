@@ -32,42 +32,38 @@ public:
         m_experiment.frames = run.frames;
         m_experiment.script = run.script;
         readOwnName();
-        if (const JsonValue *draft = m_fields.find("draft"))
-            m_experiment.draft = learnersText(m_file, *draft, "draft", m_step->listing);
+        if (m_fields.find("draft"))
+            m_experiment.draft = learnersText(m_fields, "draft", m_step->listing);
         if (const JsonValue *branches = m_fields.find("branches"))
             readBranches(*branches);
         return m_experiment;
     }
 
 private:
-    QString text(const QString &name, const QString &possible) const
-    {
-        return textOf(m_file, m_fields.require(name, possible), name);
-    }
-
     void readFormat() const
     {
-        const QString given = text("format", quoted(format));
+        const QString given = m_fields.text("format", quoted(format));
         if (given.startsWith("springstep-notebook/"))
-            refuse(m_file, m_fields.find("format")->line,
-                   tr("this is a notebook, not an experiment; \"springstep notebook check\" replays it."));
+            m_fields.refuse(
+                "format",
+                tr("this is a notebook, not an experiment; \"springstep notebook check\" replays it."));
         if (given != format)
-            refuse(m_file, m_fields.find("format")->line,
-                   tr("\"format\" is %1; this program reads %2.").arg(quoted(given), quoted(format)));
+            m_fields.refuse(
+                "format", tr("\"format\" is %1; this program reads %2.").arg(quoted(given), quoted(format)));
     }
 
     void readStep()
     {
         m_fields.refuseOthers(QStringList{"format", "lesson", "step"} + runFields() +
                               QStringList{"draft", "name", "named", "kept", "branches"});
-        m_experiment.lesson = text("lesson", lessonIds(m_library));
+        m_experiment.lesson = m_fields.text("lesson", lessonIds(m_library));
         const LessonEntry *lesson = m_library.lesson(m_experiment.lesson);
         if (!lesson)
-            refuse(m_file, m_fields.find("lesson")->line, noLesson(m_experiment.lesson, m_library));
-        m_experiment.step = text("step", stepIds(*lesson));
+            m_fields.refuse("lesson", noLesson(m_experiment.lesson, m_library));
+        m_experiment.step = m_fields.text("step", stepIds(*lesson));
         m_step = lesson->step(m_experiment.step);
         if (!m_step)
-            refuse(m_file, m_fields.find("step")->line, noStep(m_experiment.step, *lesson));
+            m_fields.refuse("step", noStep(m_experiment.step, *lesson));
         if (m_more.empty())
             return;
         m_stepWithMore = *m_step;
@@ -84,18 +80,12 @@ private:
         return name;
     }
 
-    bool truth(const JsonFields &fields, const QString &name) const
-    {
-        const JsonValue *value = fields.find(name);
-        return !value || truthOf(m_file, *value, name);
-    }
-
     /// Reads the learner's name for the file's own run.
     void readOwnName()
     {
         const JsonValue *name = m_fields.find("name");
-        const bool isNamed = truth(m_fields, "named");
-        const bool isKept = truth(m_fields, "kept");
+        const bool isNamed = m_fields.boolean("named", true);
+        const bool isKept = m_fields.boolean("kept", true);
         if (!name)
             return;
         const QString given = nameOf(*name);
@@ -123,15 +113,18 @@ private:
     {
         const JsonFields fields(m_file, value, tr("a branch"));
         const QString name = nameOf(fields.require("name", tr("a text that tells it from others")));
-        const JsonValue *given = fields.find("fork");
-        const std::int64_t fork = given ? wholeOf(m_file, *given, "fork", 0, mostFrames) : 0;
+        const std::int64_t fork = fields.integer("fork", 0, mostFrames, 0);
         const QStringList about = {"name", "named", "kept", "fork"};
         fields.refuseOthers(about + (fork > 0 ? QStringList{"frames", "input"} : runFields()));
         const ReadRun run = fork > 0 ? readRunFrom(m_file, fields, *m_step, m_experiment.script, fork)
                                      : readRun(m_file, fields, *m_step);
         m_events += run.script.input.size();
-        return {++m_branches,          name,       truth(fields, "named"),
-                truth(fields, "kept"), run.frames, std::make_shared<const sim::Script>(run.script)};
+        return {++m_branches,
+                name,
+                fields.boolean("named", true),
+                fields.boolean("kept", true),
+                run.frames,
+                std::make_shared<const sim::Script>(run.script)};
     }
 
     QString m_file;

@@ -39,7 +39,7 @@ public:
     {
         script() = m_step.script();
         refuseWhatNoStepHas();
-        readMethod(m_file, m_fields, script());
+        readMethod(m_fields, script());
         readParameters();
         readScene();
         openRun();
@@ -84,11 +84,7 @@ public:
 private:
     sim::Script &script() { return m_run.script; }
 
-    void readFrames()
-    {
-        if (const JsonValue *frames = m_fields.find("frames"))
-            m_run.frames = wholeOf(m_file, *frames, "frames", 0, mostFrames);
-    }
+    void readFrames() { m_run.frames = m_fields.integer("frames", 0, mostFrames, m_run.frames); }
 
     void takeInput()
     {
@@ -101,24 +97,26 @@ private:
     {
         const bool isBuilt = m_step.points == lessons::PointSource::scene;
         if (const JsonValue *scene = m_fields.find("scene"); scene && !isBuilt)
-            refuse(m_file, scene->line,
-                   tr("\"scene\" does not go with a lesson's step, which has its own; remove it, and change "
-                      "that "
-                      "one by \"parameters\", \"bodies\" and \"effects\"."));
+            m_fields.refuse(
+                "scene",
+                tr("\"scene\" does not go with a lesson's step, which has its own; remove it, and change "
+                   "that "
+                   "one by \"parameters\", \"bodies\" and \"effects\"."));
         const JsonValue *links = m_fields.find("links");
         if (links && isBuilt)
-            refuse(m_file, links->line,
-                   tr("the step %1 has its sticks in \"scene\"; move \"links\" there and call it \"sticks\".")
-                       .arg(quoted(m_step.id)));
+            m_fields.refuse(
+                "links",
+                tr("the step %1 has its sticks in \"scene\"; move \"links\" there and call it \"sticks\".")
+                    .arg(quoted(m_step.id)));
         if (links && m_step.points != lessons::PointSource::file && !listOf(m_file, *links, "links").empty())
-            refuse(m_file, links->line,
-                   tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step.id)));
+            m_fields.refuse("links",
+                            tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step.id)));
     }
 
     void readParameters()
     {
-        if (const JsonValue *seed = m_fields.find("seed"))
-            script().values.seed = std::uint64_t(wholeOf(m_file, *seed, "seed", 0, mostSeed));
+        std::uint64_t &seed = script().values.seed;
+        seed = std::uint64_t(m_fields.integer("seed", 0, mostSeed, std::int64_t(seed)));
         const JsonValue *parameters = m_fields.find("parameters");
         if (!parameters)
             return;
@@ -169,7 +167,7 @@ private:
     void compileCode()
     {
         try {
-            readCode(m_file, m_fields, m_step.listing, script());
+            readCode(m_fields, m_step.listing, script());
         } catch (const sim::Error &error) { // of the scene
             refuse(m_file, m_fields.line(), sentenceFor(error));
         }

@@ -91,8 +91,8 @@ JsonFields::JsonFields(const QString &file, const JsonValue &value, const QStrin
     : m_file(file), m_what(what), m_members(std::get_if<JsonValue::Object>(&value.what)), m_line(value.line)
 {
     if (!m_members)
-        refuse(file, value.line,
-               JsonFieldsText::tr("%1 is %2; it must be an object in { }.").arg(what, shortText(value)));
+        app::refuse(file, value.line,
+                    JsonFieldsText::tr("%1 is %2; it must be an object in { }.").arg(what, shortText(value)));
 }
 
 const JsonValue *JsonFields::find(const QString &name) const
@@ -108,23 +108,66 @@ const JsonValue &JsonFields::require(const QString &name, const QString &possibl
 {
     if (const JsonValue *value = find(name))
         return *value;
-    refuse(m_file, m_line,
-           JsonFieldsText::tr("%1 has no %2; add it. It must be %3.").arg(m_what, quoted(name), possible));
+    app::refuse(
+        m_file, m_line,
+        JsonFieldsText::tr("%1 has no %2; add it. It must be %3.").arg(m_what, quoted(name), possible));
 }
 
 void JsonFields::refuseOthers(const QStringList &known) const
 {
     for (const JsonMember &member : *m_members) {
         if (!known.contains(member.name))
-            refuse(m_file, member.value.line,
-                   JsonFieldsText::tr("%1 has no field %2; there is %3.")
-                       .arg(m_what, quoted(member.name), quotedList(known, member.name)));
+            app::refuse(m_file, member.value.line,
+                        JsonFieldsText::tr("%1 has no field %2; there is %3.")
+                            .arg(m_what, quoted(member.name), quotedList(known, member.name)));
     }
+}
+
+void JsonFields::refuse(const QString &name, const QString &why) const
+{
+    const JsonValue *value = find(name);
+    app::refuse(m_file, value ? value->line : m_line, why);
 }
 
 double JsonFields::number(const QString &name) const
 {
     return numberOf(m_file, require(name, JsonFieldsText::tr("a number")), name);
+}
+
+double JsonFields::number(const QString &name, Span span, std::optional<double> defaultValue) const
+{
+    if (defaultValue && !find(name))
+        return *defaultValue;
+    const double found = number(name);
+    if (!span.holds(found))
+        refuse(name,
+               JsonFieldsText::tr("%1 is %2; it can be %3 to %4.")
+                   .arg(quoted(name), exactNumber(found), exactNumber(span.min), exactNumber(span.max)));
+    return found;
+}
+
+std::int64_t JsonFields::integer(const QString &name, std::int64_t min, std::int64_t max,
+                                 std::int64_t defaultValue) const
+{
+    const JsonValue *value = find(name);
+    return value ? wholeOf(m_file, *value, name, min, max) : defaultValue;
+}
+
+bool JsonFields::boolean(const QString &name, std::optional<bool> defaultValue) const
+{
+    return defaultValue && !find(name)
+               ? *defaultValue
+               : truthOf(m_file, require(name, JsonFieldsText::tr("true or false")), name);
+}
+
+QString JsonFields::text(const QString &name, const QString &possible) const
+{
+    return textOf(m_file, require(name, possible), name);
+}
+
+QString JsonFields::optionalText(const QString &name) const
+{
+    return find(name) ? text(name, {}) : QString();
 }
 
 }

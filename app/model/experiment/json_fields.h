@@ -1,10 +1,12 @@
 #pragma once
 
 #include "app/model/experiment/json_document.h"
+#include "app/model/sandbox/blueprint_limits.h"
 
 #include <QStringList>
 
 #include <cstdint>
+#include <optional>
 
 namespace app {
 
@@ -25,9 +27,20 @@ public:
     const JsonValue &require(const QString &name, const QString &possible) const;
     /// @throws UserError: a field is not in `known`; the message lists `known`
     void refuseOthers(const QStringList &known) const;
-    /// Returns the required number called `name`.
-    /// @throws UserError: the field is missing or not a number
+    /// Refuses the field `name`; if it is missing, the object.
+    [[noreturn]] void refuse(const QString &name, const QString &why) const;
+
+    // Each of these returns the value of the field `name`, and throws a UserError if the field has another type, lies outside
+    // its bounds, or is missing although there is no `defaultValue`.
+
     double number(const QString &name) const;
+    double number(const QString &name, Span span, std::optional<double> defaultValue = {}) const;
+    std::int64_t integer(const QString &name, std::int64_t min, std::int64_t max,
+                         std::int64_t defaultValue) const;
+    bool boolean(const QString &name, std::optional<bool> defaultValue = {}) const;
+    /// `possible` as for require().
+    QString text(const QString &name, const QString &possible) const;
+    QString optionalText(const QString &name) const;
 
 private:
     QString m_file;

@@ -40,12 +40,9 @@ KeptExperiment keptIn(const QString &path, const QByteArray &content)
     const QString name = QFileInfo(path).fileName();
     const JsonValue root = parseJson(content, name);
     const JsonFields fields(name, root, Gallery::tr("the file"));
-    const auto textField = [&](const QString &id) {
-        return textOf(name, fields.require(id, Gallery::tr("a text")), id);
-    };
-    const JsonValue &format = fields.require(QStringLiteral("format"), quoted(galleryFormat));
-    if (textOf(name, format, QStringLiteral("format")) != galleryFormat)
-        refuse(name, format.line, Gallery::tr("this is not an experiment of the gallery."));
+    const auto textField = [&](const QString &id) { return fields.text(id, Gallery::tr("a text")); };
+    if (fields.text(QStringLiteral("format"), quoted(galleryFormat)) != galleryFormat)
+        fields.refuse(QStringLiteral("format"), Gallery::tr("this is not an experiment of the gallery."));
     KeptExperiment kept;
     kept.file = path;
     kept.title = textField(QStringLiteral("title")).left(Gallery::longestTitle);

@@ -1,5 +1,6 @@
 #include "app/model/learning/concept_map.h"
 
+#include "app/model/catalog/lists.h"
 #include "app/model/text/phrases.h"
 #include "lessons/api/text/document.h"
 
@@ -72,7 +73,7 @@ std::vector<std::size_t> earlierOnes(const TaughtConcept &one, const std::vector
     for (const QString &id : one.content->restsOn) {
         const auto at = indices.find(id);
         if (at != indices.end() && all[*at].number <= one.number && all[*at].content != one.content &&
-            std::find(found.begin(), found.end(), *at) == found.end())
+            !contains(found, *at))
             found.push_back(*at);
     }
     return found;

@@ -1,6 +1,6 @@
 #include "app/model/learning/prediction_desk.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/run/same_run.h"
 #include "app/model/text/sentences.h"

@@ -1,6 +1,6 @@
 #include "app/model/learning/project_desk.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/project_start.h"
 
@@ -72,7 +72,7 @@ std::vector<lessons::ProjectRing> ProjectDesk::rings()
     std::vector<lessons::ProjectRing> rings;
     for (const lessons::ProjectLevel &level : project->levels) {
         for (const lessons::ProjectRing &ring : level.rings) {
-            if (std::find(rings.begin(), rings.end(), ring) == rings.end()) // two levels can have the same
+            if (!contains(rings, ring)) // two levels can have the same
                 rings.push_back(ring);
         }
     }

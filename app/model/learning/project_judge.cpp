@@ -6,6 +6,7 @@
 #include "app/model/learning/project_numbers.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/run/run_program.h"
+#include "app/model/sandbox/blueprint_edits.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/phrases.h"
 #include "app/model/text/quoting.h"
@@ -42,14 +43,11 @@ QStringList namesInCondition(const QString &condition)
     return names;
 }
 
-const sim::BlueprintPoint *pointCalled(const sim::Values &values, const std::string &name)
+/// Returns the point of a sandbox scene with this name; null if there is none.
+const sim::BlueprintPoint *builtPoint(const sim::Values &values, const std::string &name)
 {
-    if (!values.blueprint)
-        return nullptr;
-    const auto &all = values.blueprint->points;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const auto &one) { return one.name == name; });
-    return found == all.end() ? nullptr : &*found;
+    const auto found = values.blueprint ? pointCalled(*values.blueprint, name) : std::nullopt;
+    return found ? &values.blueprint->points[std::size_t(*found)] : nullptr;
 }
 
 /// Judges a trial before and while its run is computed.
@@ -154,7 +152,7 @@ private:
             return tr("Not yet: this level asks you to leave %1 at %2.")
                 .arg(quoted(parameter ? parameter->name : name), exactNumber(start[id]));
         }
-        const sim::BlueprintPoint *was = pointCalled(start, id), *is = pointCalled(built, id);
+        const sim::BlueprintPoint *was = builtPoint(start, id), *is = builtPoint(built, id);
         if (!was)
             throw UserError(QStringLiteral("%1: there is no parameter and no body “%2” in the start scene.")
                                 .arg(m_level.id, name));
@@ -289,8 +287,7 @@ private:
 sim::Script judgedScript(const ProjectTrial &trial)
 {
     sim::Script script = trial.built;
-    script.input = trial.step->prepareScript ? trial.step->scriptWith(script.values, script.method).input
-                                             : std::vector<sim::Event>();
+    script.input = trial.step->scriptWith(script.values, script.method).input;
     return scriptWith(trial.level.run, *trial.step, std::move(script));
 }
 

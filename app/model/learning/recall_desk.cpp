@@ -1,7 +1,7 @@
 #include "app/model/learning/recall_desk.h"
 
 #include "app/model/breakpoints/breakpoint_monitor.h"
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/run/same_run.h"
@@ -25,13 +25,6 @@ const QString recallKind = QStringLiteral("recall");
 QString recallKey(const LessonEntry &lesson, const lessons::RecallQuestion &question)
 {
     return RecallDesk::keyOf(lesson.id, question.id);
-}
-
-/// Returns the step that a document calls "lesson/step"; null if there is none.
-const lessons::Step *stepCalled(const QString &name, const LessonLibrary &library)
-{
-    const LessonEntry *lesson = library.lesson(name.section('/', 0, 0));
-    return lesson ? lesson->step(name.section('/', 1)) : nullptr;
 }
 
 /// A number for each text, the same on every machine (FNV-1a).
@@ -177,7 +170,7 @@ void RecallDesk::followStep()
     const lessons::RecallQuestion *now = question();
     if (m_isStarting || !now)
         return;
-    if (OpenRun::keyOf(m_session.lesson().id, m_session.step().id) != now->task->setup.step)
+    if (m_session.run().key() != now->task->setup.step)
         stop();
 }
 
@@ -207,6 +200,9 @@ void RecallDesk::keepProof(const QString &key)
 
 bool isTaskDone(const lessons::RecallTask &task, const lessons::Step &step, const sim::Timeline &run)
 {
+    const QString &method = task.setup.method;
+    if (!method.isEmpty() && run.script().method->id() != method.toStdString())
+        return false; // the question asks to keep it
     try {
         return Condition::parse(task.setup.until, conditionNames(step, run))
             .holds({run.state(), run.cursor().frame, nullptr, {}, &run.track()});

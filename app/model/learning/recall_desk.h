@@ -64,7 +64,7 @@ private:
     bool m_isStarting = false;
 };
 
-/// Returns whether a run of the step of `task` fulfils its condition at the cursor.
+/// Returns whether a run of the step of `task` fulfils its condition at the cursor, with the method that `task` names.
 bool isTaskDone(const lessons::RecallTask &task, const lessons::Step &step, const sim::Timeline &run);
 
 /// Checks that the scenes of all questions exist, and that their values and conditions fit them.

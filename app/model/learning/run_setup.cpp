@@ -94,6 +94,12 @@ void addInput(const lessons::RunSetup &setup, sim::Script &script)
 
 }
 
+const lessons::Step *stepCalled(const QString &name, const LessonLibrary &library)
+{
+    const LessonEntry *lesson = library.lesson(name.section('/', 0, 0));
+    return lesson ? lesson->step(name.section('/', 1)) : nullptr;
+}
+
 sim::Script scriptFor(const lessons::RunSetup &setup, const lessons::Step &step)
 {
     return scriptWith(setup, step, step.script());

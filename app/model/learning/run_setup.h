@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/breakpoints/condition.h"
+#include "app/model/catalog/lesson_library.h"
 #include "lessons/api/step.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
@@ -10,6 +11,8 @@
 
 namespace app {
 
+/// Returns the step that a document calls "lesson/step"; null if there is none.
+const lessons::Step *stepCalled(const QString &name, const LessonLibrary &library);
 /// Returns the run of `step` as published, with what `setup` changes. RunSetup::step is ignored.
 /// @throws UserError if a parameter, a choice, a body or a method does not exist, or a value is out of range
 /// @throws sim::Error if there is no such run

@@ -1,12 +1,13 @@
 #include "app/model/lesson_folders/lesson_check.h"
 
 #include "app/listing/listing_method.h"
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/project_judge.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/listing/code_judge.h"
+#include "app/model/run/run_program.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
@@ -105,8 +106,7 @@ private:
     Result checkSameMotion(const lessons::Step &step) const
     {
         for (sim::Script script : judgeScripts(step)) {
-            const listing::Compiled compiled = listing::Program::compile(
-                step.listing.text.toStdString(), listing::vocabularyOf(sim::sceneOf(script, script.values)));
+            const listing::Compiled compiled = compiledFor(script, step.listing.text);
             if (!compiled.program)
                 return {false, tr("the listing does not compile")};
             script.method = step.script().method;
@@ -133,22 +133,17 @@ private:
                                 double away)
     {
         const std::string name = sim::sceneOf(script, script.values).names[static_cast<std::size_t>(point)];
-        std::string held;
-        for (const sim::Event &event : script.input) {
-            const auto *grab = std::get_if<sim::Grab>(&event.what);
-            if (event.frame <= frame && (grab || std::holds_alternative<sim::Release>(event.what)))
-                held = grab ? grab->body : std::string();
-        }
         const QString body = QString::fromStdString(name);
         const QString sentence =
             tr("the listing moves %1 otherwise than the method %2: %3 px apart in frame %4 "
                "of a trial run")
                 .arg(quoted(body), step.method, roughNumber(away))
                 .arg(frame);
-        return held == name ? tr("%1, in which the hand holds it. Every body can be held: write "
-                                 "“if (%2.held) %2.position = hand;”, and leave the forces out then")
-                                  .arg(sentence, body)
-                            : sentence;
+        return heldBody(script, frame) == name
+                   ? tr("%1, in which the hand holds it. Every body can be held: write "
+                        "“if (%2.held) %2.position = hand;”, and leave the forces out then")
+                         .arg(sentence, body)
+                   : sentence;
     }
 
     void checkTries(const lessons::Step &step)
@@ -212,7 +207,7 @@ private:
                 break;
         }
         const QString frames = QString::number(run.cursor().frame);
-        if (std::find(held.begin(), held.end(), false) == held.end())
+        if (!contains(held, false))
             return {false, tr("its solution does not do it in %1 frames: each condition holds in "
                               "some frame, but they never all hold in the same one")
                                .arg(frames)};
@@ -283,8 +278,7 @@ private:
     {
         if (task.solution.line == 0)
             return {false, tr("it states no solution; write a “### Solution”")};
-        const LessonEntry *lesson = m_library.lesson(task.setup.step.section('/', 0, 0));
-        const lessons::Step *step = lesson ? lesson->step(task.setup.step.section('/', 1)) : nullptr;
+        const lessons::Step *step = stepCalled(task.setup.step, m_library);
         if (!step)
             return {false, tr("there is no step %1").arg(quoted(task.setup.step))};
         FollowedRun run(*step, scriptWith(task.solution, *step, scriptFor(task.setup, *step)));

@@ -2,7 +2,7 @@
 
 #include "app/listing/limits.h"
 #include "app/listing/program.h"
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/json_fields.h"
 #include "app/model/learning/recall_desk.h"
 #include "app/model/lesson_folders/lesson_languages.h"
@@ -135,11 +135,10 @@ private:
         const QString name = shown(description);
         const JsonValue root = parseJson(m_files.content(description), name);
         const JsonFields fields(name, root, LessonFolderText::tr("the file"));
-        const QString format = textOf(name, fields.require("format", quoted(lessonFormat)), "format");
+        const QString format = fields.text("format", quoted(lessonFormat));
         if (format != QLatin1String(lessonFormat))
-            refuse(name, fields.find("format")->line,
-                   LessonFolderText::tr("\"format\" is %1; this program reads %2.")
-                       .arg(quoted(format), quoted(lessonFormat)));
+            fields.refuse("format", LessonFolderText::tr("\"format\" is %1; this program reads %2.")
+                                        .arg(quoted(format), quoted(lessonFormat)));
         QStringList known = {"format", "id", "title", "summary", "steps"};
         for (const QString &language : languagesOf(m_files))
             known << "title." + language << "summary." + language;
@@ -158,35 +157,29 @@ private:
 
     void readId(const JsonFields &fields)
     {
-        const QString name = shown(description);
-        const JsonValue &value = fields.require("id", LessonFolderText::tr("a name of your own"));
-        m_entry.id = textOf(name, value, "id");
+        m_entry.id = fields.text("id", LessonFolderText::tr("a name of your own"));
         if (!isId(m_entry.id))
-            refuse(
-                name, value.line,
-                LessonFolderText::tr("a lesson cannot have the id %1; an id has up to 40 characters, a to z, "
-                                     "0 to 9 and _, and begins with a letter.")
-                    .arg(quoted(m_entry.id)));
+            fields.refuse("id", LessonFolderText::tr(
+                                    "a lesson cannot have the id %1; an id has up to 40 characters, a to z, "
+                                    "0 to 9 and _, and begins with a letter.")
+                                    .arg(quoted(m_entry.id)));
         const LessonEntry *other = m_library.lesson(m_entry.id);
         if (other && other->source != m_entry.source)
-            refuse(name, value.line,
-                   LessonFolderText::tr("there is another lesson with the id %1, “%2”. Choose another id.")
-                       .arg(quoted(m_entry.id), other->title));
+            fields.refuse(
+                "id", LessonFolderText::tr("there is another lesson with the id %1, “%2”. Choose another id.")
+                          .arg(quoted(m_entry.id), other->title));
     }
 
     /// Returns a text in the language, or in that of the lesson.
     QString shortText(const JsonFields &fields, const QString &field, qsizetype longest) const
     {
-        const QString own = field + '.' + m_language;
-        const QString name = shown(description), used = fields.find(own) ? own : field;
-        const JsonValue &value = fields.require(used, LessonFolderText::tr("a text"));
-        const QString text = textOf(name, value, used).simplified();
+        const QString own = field + '.' + m_language, used = fields.find(own) ? own : field;
+        const QString text = fields.text(used, LessonFolderText::tr("a text")).simplified();
         if (text.isEmpty() || text.size() > longest)
-            refuse(name, value.line,
-                   LessonFolderText::tr("%1 has %2 characters; it can have 1 to %3.")
-                       .arg(quoted(used))
-                       .arg(text.size())
-                       .arg(longest));
+            fields.refuse(used, LessonFolderText::tr("%1 has %2 characters; it can have 1 to %3.")
+                                    .arg(quoted(used))
+                                    .arg(text.size())
+                                    .arg(longest));
         return text;
     }
 
@@ -207,10 +200,9 @@ private:
             ids << id;
         }
         if (ids.isEmpty() || static_cast<std::size_t>(ids.size()) > mostSteps)
-            refuse(name, value.line,
-                   LessonFolderText::tr("a lesson has 1 to %1 steps, and \"steps\" lists %2.")
-                       .arg(mostSteps)
-                       .arg(ids.size()));
+            fields.refuse("steps", LessonFolderText::tr("a lesson has 1 to %1 steps, and \"steps\" lists %2.")
+                                       .arg(mostSteps)
+                                       .arg(ids.size()));
         return ids;
     }
 
@@ -302,10 +294,10 @@ private:
             return;
         const JsonFields fields(shown(file), *values, quoted("parameters"));
         for (const lessons::ParameterText &text : own.parameters) {
-            if (const JsonValue *value = fields.find(text.id))
-                refuse(shown(file), value->line,
-                       LessonFolderText::tr("%1 says where the parameter %2 begins. Remove it here.")
-                           .arg(own.file, quoted(text.id)));
+            if (fields.find(text.id))
+                fields.refuse(text.id,
+                              LessonFolderText::tr("%1 says where the parameter %2 begins. Remove it here.")
+                                  .arg(own.file, quoted(text.id)));
         }
     }
 
@@ -364,9 +356,7 @@ private:
 
     static std::optional<listing::CompileError> mistakeIn(const lessons::Step &step, const QString &code)
     {
-        const sim::Script script = step.script();
-        const listing::Compiled compiled = listing::Program::compile(
-            code.toStdString(), listing::vocabularyOf(sim::sceneOf(script, script.values)));
+        const listing::Compiled compiled = compiledFor(step.script(), code);
         return compiled.program ? std::nullopt : std::optional(compiled.errors.front());
     }
 

@@ -2,7 +2,7 @@
 
 #include "app/listing/language.h"
 #include "app/listing/vocabulary.h"
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/sandbox/blueprint_limits.h"
 #include "app/model/text/quoting.h"
 #include "sim/run/script/script.h"
@@ -335,22 +335,19 @@ void checkNamesAndUse(const lessons::Document &own, const std::vector<ParameterT
         listing::vocabularyOf(sim::sceneOf(script, script.values)).parameters;
     const auto &rule = script.values.blueprint->rule.program;
     const std::vector<std::string> read = rule ? rule->parameters() : std::vector<std::string>();
-    const auto has = [](const std::vector<std::string> &names, const std::string &id) {
-        return std::find(names.begin(), names.end(), id) != names.end();
-    };
     for (const lessons::ParameterText &text : own.parameters) {
         const std::string id = text.id.toStdString();
         if (base.parameter(text.id))
             reject(own, text.line,
                    LessonParametersText::tr("the scene has a parameter “%1” already. Choose another id.")
                        .arg(text.id));
-        if (!has(free, id))
+        if (!contains(free, id))
             reject(own, text.line,
                    LessonParametersText::tr("bodies of the scene are called “%1”. Choose another id.")
                        .arg(text.id));
         const bool isSet = std::any_of(targets.begin(), targets.end(),
                                        [&id](const ParameterTarget &one) { return one.parameter == id; });
-        if (!isSet && !has(read, id))
+        if (!isSet && !contains(read, id))
             reject(own, text.line,
                    LessonParametersText::tr(
                        "nothing reads the parameter “%1”. Write %1 into the rule of the scene in "

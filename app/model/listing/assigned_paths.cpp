@@ -6,37 +6,29 @@ namespace app {
 
 namespace {
 
-bool isOperator(const listing::Tokens &tokens, std::size_t i)
-{
-    return tokens.is(i, "+") || tokens.is(i, "-") || tokens.is(i, "*") || tokens.is(i, "/") ||
-           tokens.is(i, "%");
-}
-
 /// Returns whether token `i` is an `=` that sets a value.
 bool setsValue(const listing::Tokens &tokens, std::size_t i)
 {
     if (!tokens.is(i, "=") || tokens.touches(i, "=") || i == 0)
         return false;
-    const bool isBehind = tokens[i - 1].end() == tokens[i].offset;
-    return !(isBehind && (tokens.is(i - 1, "=") || tokens.is(i - 1, "<") || tokens.is(i - 1, ">") ||
-                          tokens.is(i - 1, "!")));
+    const bool isComparison =
+        tokens.touches(i - 1, "=") && listing::isAnyOf(tokens[i - 1].text, {"=", "<", ">", "!"});
+    return !isComparison;
 }
 
 /// Returns the index of the token that ends the statement or the part of a list at token `i`.
 std::size_t endOfValue(const listing::Tokens &tokens, std::size_t i)
 {
     while (i < tokens.size() && !tokens.is(i, ";") && !tokens.is(i, ",") && !listing::closes(tokens[i].text))
-        i = listing::opens(tokens[i].text) ? std::min(tokens.closing(i), tokens.size() - 1) + 1 : i + 1;
-    return i;
+        i = tokens.behind(i);
+    return std::min(i, tokens.size());
 }
 
 }
 
 bool declaresVariable(const listing::Tokens &tokens, std::size_t i)
 {
-    static constexpr std::string_view types[] = {"double", "int", "bool", "Vec2", "Body"};
-    if (i >= tokens.size() || !tokens.isWord(i + 1) ||
-        std::find(std::begin(types), std::end(types), tokens[i].text) == std::end(types))
+    if (!tokens.isWord(i + 1) || !listing::isAnyOf(tokens[i].text, {"double", "int", "bool", "Vec2", "Body"}))
         return false;
     return !tokens.is(i + 2, "(") || tokens.is(tokens.closing(i + 2) + 1, ";");
 }
@@ -84,7 +76,8 @@ std::vector<Assignment> assignmentsIn(const listing::Tokens &tokens)
             all.push_back({tokens[i - 1].line, std::string(tokens[i - 1].text), i - 1, i + 1,
                            tokens.closing(i), true, !tokens.isInBlock(i - 1)});
         } else if (setsValue(tokens, i)) {
-            const bool isCompound = isOperator(tokens, i - 1) && tokens[i - 1].end() == tokens[i].offset;
+            const bool isCompound =
+                tokens.touches(i - 1, "=") && listing::isAnyOf(tokens[i - 1].text, {"+", "-", "*", "/", "%"});
             const std::size_t before = isCompound ? 2 : 1;
             if (i >= before && endsPath(i - before))
                 add(i - before, i + 1, !isCompound);

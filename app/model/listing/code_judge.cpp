@@ -260,21 +260,6 @@ std::optional<bool> agree(const std::vector<sim::Script> &scripts,
     return true;
 }
 
-/// Returns the body that the hand holds while the frame that ends at `frame` is computed.
-std::string heldBody(const sim::Script &script, std::int64_t frame)
-{
-    std::string body;
-    for (const sim::Event &event : script.input) {
-        if (event.frame > frame)
-            break;
-        if (const auto *grab = std::get_if<sim::Grab>(&event.what))
-            body = grab->body;
-        else if (std::holds_alternative<sim::Release>(event.what))
-            body.clear();
-    }
-    return body;
-}
-
 /// Returns how the first of the runs that differs does so. One of them does.
 Verdict firstDifference(const std::vector<sim::Script> &scripts, const JudgedRuns &reference,
                         const JudgedRuns &written)
@@ -297,6 +282,7 @@ Verdict firstDifference(const std::vector<sim::Script> &scripts, const JudgedRun
             verdict.body =
                 sim::sceneOf(scripts[run], scripts[run].values).names[static_cast<std::size_t>(row)];
             verdict.held = heldBody(scripts[run], verdict.frame);
+            verdict.hasOtherValues = !(scripts[run].values == scripts.front().values);
             return verdict;
         }
         if (written[run].hasStopped()) {
@@ -309,10 +295,9 @@ Verdict firstDifference(const std::vector<sim::Script> &scripts, const JudgedRun
     return verdict;
 }
 
-std::shared_ptr<const listing::Program> compiledForJudge(const QString &code,
-                                                         const listing::Vocabulary &vocabulary)
+std::shared_ptr<const listing::Program> programFor(const sim::Script &script, const QString &code)
 {
-    const listing::Compiled compiled = listing::Program::compile(code.toStdString(), vocabulary);
+    const listing::Compiled compiled = compiledFor(script, code);
     if (!compiled.program)
         throw std::invalid_argument("a listing of a task does not compile: " +
                                     compiled.errors.front().sentence + '\n' + code.toStdString());
@@ -326,10 +311,15 @@ QString sentenceForDifference(const Verdict &verdict)
     const QString much = verdict.isAngle ? JudgeText::tr("%1° away from its angle").arg(difference)
                                          : JudgeText::tr("%1 px away from its place").arg(difference);
     if (verdict.held.empty())
-        return JudgeText::tr("Not yet: in frame %1 of a trial run, %2 is %3.")
+        return (verdict.hasOtherValues
+                    ? JudgeText::tr("Not yet: in frame %1 of a trial run with other parameters, %2 is %3.")
+                    : JudgeText::tr("Not yet: in frame %1 of a trial run, %2 is %3."))
             .arg(verdict.frame)
             .arg(body, much);
-    return JudgeText::tr("Not yet: while your hand holds %1 in a trial run, %2 is %3.")
+    return (verdict.hasOtherValues
+                ? JudgeText::tr(
+                      "Not yet: while your hand holds %1 in a trial run with other parameters, %2 is %3.")
+                : JudgeText::tr("Not yet: while your hand holds %1 in a trial run, %2 is %3."))
         .arg(withinSentence(bodyTitle(QString::fromStdString(verdict.held))), body, much);
 }
 
@@ -358,19 +348,31 @@ std::vector<sim::Script> judgeScripts(const lessons::Step &step)
     return scripts;
 }
 
+std::string heldBody(const sim::Script &script, std::int64_t frame)
+{
+    std::string body;
+    for (const sim::Event &event : script.input) {
+        if (event.frame > frame)
+            break;
+        if (const auto *grab = std::get_if<sim::Grab>(&event.what))
+            body = grab->body;
+        else if (std::holds_alternative<sim::Release>(event.what))
+            body.clear();
+    }
+    return body;
+}
+
 std::optional<Verdict> judge(const lessons::Step &step, const lessons::CodeTask &task, const QString &code,
                              const sim::ShouldContinue &shouldContinue)
 {
     const std::vector<sim::Script> scripts = judgeScripts(step);
-    const listing::Vocabulary vocabulary =
-        listing::vocabularyOf(sim::sceneOf(scripts.front(), scripts.front().values));
-    const listing::Compiled compiled = listing::Program::compile(code.toStdString(), vocabulary);
+    const listing::Compiled compiled = compiledFor(scripts.front(), code);
     if (!compiled.program) {
         Verdict verdict{.kind = Verdict::Kind::doesNotCompile};
         verdict.compileError = compiled.errors.front();
         return verdict;
     }
-    const auto reference = runsOf(scripts, compiledForJudge(step.listing.text, vocabulary), shouldContinue);
+    const auto reference = runsOf(scripts, programFor(scripts.front(), step.listing.text), shouldContinue);
     const auto written = reference ? runsOf(scripts, compiled.program, shouldContinue) : std::nullopt;
     if (!written)
         return std::nullopt;
@@ -380,7 +382,7 @@ std::optional<Verdict> judge(const lessons::Step &step, const lessons::CodeTask 
         const lessons::NearMiss &miss = task.nearMisses[i];
         const QString text = step.listing.with(miss.gap.isEmpty() ? task.id : miss.gap, miss.code);
         const std::optional<bool> isMissed =
-            agree(scripts, compiledForJudge(text, vocabulary), *written, shouldContinue);
+            agree(scripts, programFor(scripts.front(), text), *written, shouldContinue);
         if (!isMissed)
             return std::nullopt;
         if (*isMissed) {

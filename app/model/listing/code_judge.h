@@ -23,12 +23,13 @@ struct Verdict
         doesNotCompile, ///< there is no run
     };
     Kind kind = Kind::wrong;
-    int nearMiss = -1;      ///< index in CodeTask::nearMisses
-    std::int64_t frame = 0; ///< wrong: the first frame that differs; stopped: the frame with the error
-    std::string body = {};  ///< wrong: the body that differs most in that frame
-    double distance = 0.0;  ///< px, from its right position; or degrees, if only its angle differs
-    bool isAngle = false;   ///< whether `distance` is in degrees
-    std::string held = {};  ///< wrong: the body that the hand holds in that frame; empty: none
+    int nearMiss = -1;           ///< index in CodeTask::nearMisses
+    std::int64_t frame = 0;      ///< wrong: the first frame that differs; stopped: the frame with the error
+    std::string body = {};       ///< wrong: the body that differs most in that frame
+    double distance = 0.0;       ///< px, from its right position; or degrees, if only its angle differs
+    bool isAngle = false;        ///< whether `distance` is in degrees
+    std::string held = {};       ///< wrong: the body that the hand holds in that frame; empty: none
+    bool hasOtherValues = false; ///< wrong: with the default parameters, the run agrees
     std::optional<listing::RunError> runError = {};         ///< stopped: empty if a number became infinite
     std::optional<listing::CompileError> compileError = {}; ///< doesNotCompile: the first
 };
@@ -42,6 +43,8 @@ constexpr double judgeTolerance = 1e-9;
 /// and different input of every kind that the step accepts.
 std::vector<sim::Script> judgeScripts(const lessons::Step &step);
 
+/// Returns the body that the hand holds while the frame that ends at `frame` is computed; empty: none.
+std::string heldBody(const sim::Script &script, std::int64_t frame);
 /// Judges the listing `code`, written for `task` of `step`. Takes some milliseconds for a creature, and some seconds
 /// for a large tree. Returns nothing if `shouldContinue` returned false.
 /// @throws std::invalid_argument if the step's own listing or a near miss does not compile

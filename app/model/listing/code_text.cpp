@@ -37,7 +37,7 @@ QString firstNewLine(const QString &other, const QString &text)
     const QStringList lines = text.split('\n');
     for (const int line : changedLines(other, text).changed) {
         const QString code = lines[line - 1].simplified();
-        if (code.size() <= 1) // a brace
+        if (code.size() <= 1 || code.startsWith("//")) // a brace or a comment
             continue;
         if (code.size() <= longest)
             return code;

@@ -136,10 +136,10 @@ void LearnerCode::use()
     const std::vector<CodeMistake> wrong = mistakes();
     const std::shared_ptr<const listing::Program> program = compiled(written).program;
     if (!program) {
-        m_run.changes().showMessage(
-            wrong.empty() ? tr("This step has no listing.")
-                          : tr("Your code does not compile. Line %1: %2")
-                                .arg(QString::number(wrong.front().line), wrong.front().sentence));
+        m_run.showMessage(wrong.empty()
+                              ? tr("This step has no listing.")
+                              : tr("Your code does not compile. Line %1: %2")
+                                    .arg(QString::number(wrong.front().line), wrong.front().sentence));
         return;
     }
     m_editor.endGesture();

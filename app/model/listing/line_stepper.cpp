@@ -138,7 +138,7 @@ void LineStepper::goTo(int index)
     } else if (frame->error() || !frame->isComplete()) {
         set(frame->count() - 1);
         if (frame->error())
-            m_run.changes().showMessage(mistakeSentence(*frame->error()));
+            m_run.showMessage(mistakeSentence(*frame->error()));
     } else {
         m_playback.frameForward();
     }
@@ -221,7 +221,7 @@ bool LineStepper::runTo(int line)
             return true;
         }
     }
-    m_run.changes().showMessage(tr("Line %1 does not run in this frame, nor in the next one.").arg(line));
+    m_run.showMessage(tr("Line %1 does not run in this frame, nor in the next one.").arg(line));
     return false;
 }
 

@@ -56,13 +56,6 @@ int numberIn(const std::string &name)
     return open == std::string::npos ? -1 : std::atoi(name.c_str() + open + 1);
 }
 
-std::optional<int> wholeNumber(const std::string &text)
-{
-    int number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 const listing::Variable *variableIn(const std::vector<listing::Variable> &variables, const std::string &name)
 {
     // Locals come first; of two with one name, the inner one is declared later.
@@ -405,7 +398,7 @@ std::optional<Value> ListingFrame::valueOf(const QString &text, int index, int s
             value = Value(std::int64_t{list->count});
             list.reset();
         } else if (list) {
-            std::optional<int> i = wholeNumber(part->index);
+            std::optional<int> i = listing::wholeNumber(part->index);
             if (!i && part->member.empty()) {
                 const std::optional<Value> computed =
                     valueOf(QString::fromStdString(part->index), index, scope);

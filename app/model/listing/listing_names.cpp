@@ -2,6 +2,7 @@
 
 #include "app/listing/language.h"
 #include "app/listing/source_scan.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/listing/assigned_paths.h"
 
 #include <algorithm>
@@ -12,23 +13,18 @@ namespace {
 
 using listing::Tokens;
 
-bool contains(const std::vector<std::string> &names, std::string_view name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// Returns the type of the path that ends with token `last`: "Body", "Bodies", "Vec2"... Empty if it is not known.
 std::string typeOf(const Tokens &tokens, std::size_t last, const listing::Vocabulary &vocabulary)
 {
     const std::size_t begin = beginOfPath(tokens, last);
     const std::string_view root = tokens[begin].text, word = tokens[last].text;
-    if (word == "position" || word == "velocity" || word == "before")
+    if (listing::isAnyOf(word, {"position", "velocity", "before"}))
         return "Vec2";
     if (last != begin && word == "children")
         return "Children";
     if (last != begin && word == "feet")
         return "Bodies";
-    if (last != begin && (word == "body" || word == "a" || word == "b"))
+    if (last != begin && listing::isAnyOf(word, {"body", "a", "b"}))
         return "Body";
     const bool isArray = std::any_of(vocabulary.arrays.begin(), vocabulary.arrays.end(),
                                      [&](const auto &one) { return one.name == root; });
@@ -54,13 +50,11 @@ std::string typeOf(const Tokens &tokens, std::size_t last, const listing::Vocabu
         return "Body";
     if (root == "keys")
         return "Keys";
-    if (root == "pointer" || root == "target" || root == "hand")
+    if (listing::isAnyOf(root, {"pointer", "target", "hand"}))
         return "Vec2";
     std::string type;
     for (std::size_t i = 0; i < last; ++i) { // the last declaration before it
-        const bool isType =
-            tokens.is(i, "Vec2") || tokens.is(i, "Body") || tokens.is(i, "Creature") || tokens.is(i, "Stick");
-        if (isType && tokens.is(i + 1, root))
+        if (listing::isAnyOf(tokens[i].text, {"Vec2", "Body", "Creature", "Stick"}) && tokens.is(i + 1, root))
             type = tokens[i].text;
     }
     return type;
@@ -94,22 +88,15 @@ QStringList completionsAt(const QString &text, int line, int column, const listi
         const auto append = [&](const std::vector<std::string> &more) {
             names.insert(names.end(), more.begin(), more.end());
         };
-        append(vocabulary.bodies);
+        append(listing::bodyNames(vocabulary));
+        append(listing::clockNames(vocabulary));
         append(vocabulary.parameters);
         append(listing::keywords());
         append(listing::commonNames());
-        for (const listing::Vocabulary::Array &array : vocabulary.arrays)
-            names.push_back(array.name);
-        if (vocabulary.hasGait && !vocabulary.hasCreatures)
-            append({"gait", "gait_speed"});
-        if (vocabulary.hasTree)
-            append({"gust", "gust_known"});
-        if (vocabulary.hasGust)
-            append({"gust_front", "gust_tail"});
         if (vocabulary.hasCreatures)
-            append({"creatures", "Creature"});
+            append({"Creature"});
         if (vocabulary.hasSticks)
-            append({"sticks", "Stick"});
+            append({"Stick"});
     }
     QStringList completions;
     for (const std::string &name : names) {

@@ -1,10 +1,9 @@
 #include "app/model/listing/task_desk.h"
 
+#include "app/model/catalog/lists.h"
 #include "app/model/listing/learner_code.h"
 
 #include <QScopedValueRollback>
-
-#include <algorithm>
 
 namespace app {
 
@@ -16,20 +15,12 @@ TaskDesk::TaskDesk(Session &session, QObject *parent) : QObject(parent), m_sessi
         if (!m_writes)
             stop();
     });
-    m_step = keyOfStep();
-}
-
-QString TaskDesk::keyOfStep() const
-{
-    return OpenRun::keyOf(m_session.lesson().id, m_session.step().id);
+    m_step = m_session.run().key();
 }
 
 const lessons::CodeTask *TaskDesk::task() const
 {
-    const std::vector<lessons::CodeTask> &all = m_session.step().codeTasks;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [this](const auto &one) { return one.id == m_sheet.task; });
-    return found == all.end() ? nullptr : &*found;
+    return findById(m_session.step().codeTasks, m_sheet.task);
 }
 
 bool TaskDesk::isDone(const lessons::CodeTask &task) const
@@ -39,9 +30,8 @@ bool TaskDesk::isDone(const lessons::CodeTask &task) const
 
 void TaskDesk::start(const QString &id)
 {
-    const std::vector<lessons::CodeTask> &all = m_session.step().codeTasks;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto &one) { return one.id == id; });
-    if (found == all.end())
+    const lessons::CodeTask *found = findById(m_session.step().codeTasks, id);
+    if (!found)
         return;
     m_job.cancel();
     m_verdict.reset();
@@ -102,7 +92,7 @@ void TaskDesk::openStep()
     m_verdict.reset();
     if (!m_sheet.task.isEmpty())
         m_handovers.insert(m_step, m_sheet);
-    m_step = keyOfStep();
+    m_step = m_session.run().key();
     m_sheet = m_handovers.take(m_step);
     // The run of the step can be another one now, with another text.
     if (!m_sheet.task.isEmpty() && m_sheet.text != m_session.code().text())

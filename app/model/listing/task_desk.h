@@ -61,7 +61,6 @@ private:
         bool isSolutionShown = false;
     };
 
-    QString keyOfStep() const;
     void openStep();
     void followText();
     void judgeText();

@@ -1,6 +1,7 @@
 #include "app/model/listing/vector_mark.h"
 
 #include "app/listing/source_scan.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/listing/assigned_paths.h"
 
 #include <algorithm>
@@ -294,8 +295,7 @@ std::vector<TextRange> usesOf(const QString &text, const QString &body, const li
             continue;
         }
         const listing::FunctionText *around = scan.functionAt(tokens[i].offset);
-        const bool isVariable = std::find(variables.begin(), variables.end(), word) != variables.end() &&
-                                around && around->name == function;
+        const bool isVariable = contains(variables, word) && around && around->name == function;
         if (isVariable || (array.empty() && word == name))
             uses.push_back(rangeOf(text, tokens, i, i));
     }

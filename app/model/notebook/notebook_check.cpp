@@ -1,6 +1,6 @@
 #include "app/model/notebook/notebook_check.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/project_judge.h"

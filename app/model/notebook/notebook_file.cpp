@@ -1,6 +1,6 @@
 #include "app/model/notebook/notebook_file.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/experiment/json_fields.h"
 #include "app/model/files/whole_file.h"
@@ -107,19 +107,18 @@ public:
 
     Notebook read()
     {
-        const QString format = text(m_fields, "format", quoted(notebookFormat));
+        const QString format = m_fields.text("format", quoted(notebookFormat));
         if (format != notebookFormat)
-            refuse(m_file, m_fields.find("format")->line,
-                   tr("this is not a notebook: its \"format\" is %1, and this program reads %2.")
-                       .arg(quoted(format), quoted(notebookFormat)));
+            m_fields.refuse("format",
+                            tr("this is not a notebook: its \"format\" is %1, and this program reads %2.")
+                                .arg(quoted(format), quoted(notebookFormat)));
         m_fields.refuseOthers({"format", "seal", "name", "when", "entries"});
-        const QString seal = text(m_fields, "seal", tr("the seal of the file"));
-        Notebook notebook{.name = optionalText(m_fields, "name"), .when = time(m_fields, "when")};
+        const QString seal = m_fields.text("seal", tr("the seal of the file"));
+        Notebook notebook{.name = m_fields.optionalText("name"), .when = time(m_fields, "when")};
         if (notebook.name.size() > Notebook::longestName)
-            refuse(m_file, m_fields.find("name")->line,
-                   tr("\"name\" has %1 letters; it can have up to %2.")
-                       .arg(notebook.name.size())
-                       .arg(Notebook::longestName));
+            m_fields.refuse("name", tr("\"name\" has %1 letters; it can have up to %2.")
+                                        .arg(notebook.name.size())
+                                        .arg(Notebook::longestName));
         const JsonValue &list = m_fields.require("entries", tr("a list of what was done"));
         const JsonValue::List &entries = listOf(m_file, list, "entries");
         if (entries.size() > Notebook::mostEntries)
@@ -134,15 +133,6 @@ public:
     }
 
 private:
-    QString text(const JsonFields &fields, const QString &name, const QString &possible) const
-    {
-        return textOf(m_file, fields.require(name, possible), name);
-    }
-    QString optionalText(const JsonFields &fields, const QString &name) const
-    {
-        const JsonValue *value = fields.find(name);
-        return value ? textOf(m_file, *value, name) : QString();
-    }
     QDateTime time(const JsonFields &fields, const QString &name) const
     {
         const JsonValue *value = fields.find(name);
@@ -154,39 +144,34 @@ private:
                    tr("\"%1\" is not a time; write it as 2026-01-31T12:00:00Z.").arg(name));
         return time;
     }
-    std::int64_t whole(const JsonFields &fields, const QString &name, std::int64_t max) const
-    {
-        const JsonValue *value = fields.find(name);
-        return value ? wholeOf(m_file, *value, name, 0, max) : 0;
-    }
 
     NotebookEntry readEntry(const JsonValue &value)
     {
         const JsonFields fields(m_file, value, tr("an entry"));
         NotebookEntry entry{.kind = readKind(fields)};
-        entry.lesson = text(fields, "lesson", lessonIds(m_library));
-        entry.id = text(fields, "id", tr("the id of what was done"));
+        entry.lesson = fields.text("lesson", lessonIds(m_library));
+        entry.id = fields.text("id", tr("the id of what was done"));
         entry.when = time(fields, "when");
         const bool isOfStep = entry.kind == Kind::answer
                                   ? fields.find("step") != nullptr
                                   : entry.kind != Kind::level && entry.kind != Kind::scene;
         QStringList known = {"kind", "lesson", "id", "when"};
         if (isOfStep) {
-            entry.step = text(fields, "step", tr("the id of a step"));
+            entry.step = fields.text("step", tr("the id of a step"));
             known << "step";
         }
         checkNames(fields, entry);
         const bool isChosen = isChoice(entry);
         if (entry.kind == Kind::prediction || isChosen) {
-            entry.said = text(fields, "said", tr("the answer"));
-            entry.isRight = truthOf(m_file, fields.require("right", "true, false"), "right");
+            entry.said = fields.text("said", tr("the answer"));
+            entry.isRight = fields.boolean("right");
             known << QStringList{"said", "right"};
         }
         if (entry.kind == Kind::prediction) {
-            entry.found = text(fields, "found", tr("what the run showed"));
+            entry.found = fields.text("found", tr("what the run showed"));
             known << "found";
         } else if (entry.kind == Kind::code) {
-            entry.code = optionalText(fields, "code");
+            entry.code = fields.optionalText("code");
             known << "code";
         } else if (!isChosen) {
             entry.run = readRunOf(fields, entry.id);
@@ -208,11 +193,11 @@ private:
         QStringList words;
         for (const Kind kind : allKinds)
             words << wordFor(kind);
-        const QString word = text(fields, "kind", quotedList(words));
+        const QString word = fields.text("kind", quotedList(words));
         const qsizetype index = words.indexOf(word);
         if (index < 0)
-            refuse(m_file, fields.find("kind")->line,
-                   tr("\"kind\" is %1; it can be %2.").arg(quoted(word), quotedList(words, word)));
+            fields.refuse("kind",
+                          tr("\"kind\" is %1; it can be %2.").arg(quoted(word), quotedList(words, word)));
         return allKinds[index];
     }
 
@@ -243,9 +228,10 @@ private:
     {
         NotebookRun run{.text = packed(fields, "run", id)};
         constexpr int mostPhases = 1'000'000;
-        run.at = {whole(fields, "frame", mostFrames), static_cast<int>(whole(fields, "phase", mostPhases))};
+        run.at = {fields.integer("frame", 0, mostFrames, 0),
+                  static_cast<int>(fields.integer("phase", 0, mostPhases, 0))};
         run.beside = packed(fields, "beside", id);
-        run.fork = whole(fields, "fork", mostFrames);
+        run.fork = fields.integer("fork", 0, mostFrames, 0);
         return run;
     }
 
@@ -272,15 +258,16 @@ private:
     {
         const LessonEntry *lesson = m_library.lesson(entry.lesson);
         if (!lesson)
-            refuse(m_file, fields.find("lesson")->line,
-                   noLesson(entry.lesson, m_library) + ' ' +
-                       tr("If it is a lesson without C++, name its folder or its zip beside the notebook."));
+            fields.refuse(
+                "lesson",
+                noLesson(entry.lesson, m_library) + ' ' +
+                    tr("If it is a lesson without C++, name its folder or its zip beside the notebook."));
         const lessons::Step *step = entry.step.isEmpty() ? nullptr : lesson->step(entry.step);
         if (fields.find("step") && !step)
-            refuse(m_file, fields.find("step")->line, noStep(entry.step, *lesson));
+            fields.refuse("step", noStep(entry.step, *lesson));
         if (!isKnown(*lesson, step, entry))
-            refuse(
-                m_file, fields.find("id")->line,
+            fields.refuse(
+                "id",
                 tr("there is no %1 called %2 in %3; the notebook may be from another version of the lesson.")
                     .arg(wordFor(entry.kind), quoted(entry.id),
                          quoted(step ? entry.lesson + '/' + entry.step : entry.lesson)));

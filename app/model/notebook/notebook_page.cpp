@@ -1,6 +1,6 @@
 #include "app/model/notebook/notebook_page.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/files/gallery.h"
 #include "app/model/learning/prediction_text.h"
 #include "app/model/notebook/notebook_question.h"

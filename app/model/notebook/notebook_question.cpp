@@ -1,6 +1,6 @@
 #include "app/model/notebook/notebook_question.h"
 
-#include "app/model/catalog/find_by_id.h"
+#include "app/model/catalog/lists.h"
 
 namespace app {
 

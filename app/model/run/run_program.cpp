@@ -25,6 +25,12 @@ std::shared_ptr<const listing::Program> programOf(const sim::MethodPtr &method)
     return listed ? listed->programPtr() : nullptr;
 }
 
+listing::Compiled compiledFor(const sim::Script &script, const QString &code)
+{
+    return listing::Program::compile(code.toStdString(),
+                                     listing::vocabularyOf(sim::sceneOf(script, script.values)));
+}
+
 std::optional<listing::RunError> runErrorOf(const sim::Track &track)
 {
     const std::shared_ptr<const listing::Program> program = programOf(track.script().method);

@@ -14,6 +14,8 @@ namespace app {
 
 /// Returns the program of `method`, or null if it is another method.
 std::shared_ptr<const listing::Program> programOf(const sim::MethodPtr &method);
+/// Compiles the listing `code` for the names of the scene of `script`.
+listing::Compiled compiledFor(const sim::Script &script, const QString &code);
 
 /// Returns the mistake in the listing that ended the run. Empty if the run has not ended, or for another reason.
 std::optional<listing::RunError> runErrorOf(const sim::Track &track);

@@ -34,7 +34,7 @@ double inverseMass(const sim::BlueprintPoint &point)
     return point.fixed ? 0.0 : 1.0 / point.mass;
 }
 
-bool contains(const std::vector<int> &sorted, int one)
+bool isAmong(const std::vector<int> &sorted, int one)
 {
     return std::binary_search(sorted.begin(), sorted.end(), one);
 }
@@ -57,7 +57,7 @@ std::vector<int> numbersWithout(const sim::Blueprint &plan, const std::vector<in
     std::vector<int> numbers;
     int next = 0;
     for (int i = 0; i < static_cast<int>(plan.points.size()); ++i)
-        numbers.push_back(contains(gone, i) ? -1 : next++);
+        numbers.push_back(isAmong(gone, i) ? -1 : next++);
     return numbers;
 }
 
@@ -66,7 +66,7 @@ void eraseNumbers(std::vector<Part> &parts, const std::vector<int> &gone)
 {
     std::vector<Part> kept;
     for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
-        if (!contains(gone, i))
+        if (!isAmong(gone, i))
             kept.push_back(parts[std::size_t(i)]);
     }
     parts = std::move(kept);
@@ -78,7 +78,7 @@ std::vector<int> linksAmong(const std::vector<Link> &links, const std::vector<in
 {
     std::vector<int> among;
     for (int i = 0; i < static_cast<int>(links.size()); ++i) {
-        if (contains(points, links[std::size_t(i)].a) && contains(points, links[std::size_t(i)].b))
+        if (isAmong(points, links[std::size_t(i)].a) && isAmong(points, links[std::size_t(i)].b))
             among.push_back(i);
     }
     return among;
@@ -183,6 +183,13 @@ std::optional<int> addRuleLinksAmong(sim::Blueprint &plan, const std::vector<int
     }
     plan.ruleLinks.insert(plan.ruleLinks.end(), added.begin(), added.end());
     return static_cast<int>(added.size());
+}
+
+std::optional<int> pointCalled(const sim::Blueprint &plan, const std::string &name)
+{
+    const auto found = std::find_if(plan.points.begin(), plan.points.end(),
+                                    [&](const auto &one) { return one.name == name; });
+    return found == plan.points.end() ? std::nullopt : std::optional(int(found - plan.points.begin()));
 }
 
 std::optional<int> footOf(const sim::Blueprint &plan, int point)

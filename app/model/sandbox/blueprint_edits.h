@@ -3,6 +3,7 @@
 #include "sim/scene/blueprint.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace app {
@@ -58,6 +59,8 @@ Selection inBox(const sim::Blueprint &plan, sim::Vec2 one, sim::Vec2 other);
 /// Returns the parts of `chosen` that exist in `plan`.
 Selection within(const sim::Blueprint &plan, const Selection &chosen);
 
+/// Returns the index of the point with this name. Empty if there is none.
+std::optional<int> pointCalled(const sim::Blueprint &plan, const std::string &name);
 /// Returns the index of `point` in the plan's list of feet. Empty if it is not a foot.
 std::optional<int> footOf(const sim::Blueprint &plan, int point);
 

@@ -1,6 +1,7 @@
 #include "app/model/sandbox/body_names.h"
 
 #include "app/listing/language.h"
+#include "app/model/sandbox/blueprint_edits.h"
 #include "app/model/sandbox/blueprint_limits.h"
 
 #include <QCoreApplication>
@@ -17,12 +18,6 @@ struct BodyNamesText
 {
     Q_DECLARE_TR_FUNCTIONS(BodyNamesText)
 };
-
-auto findPoint(std::vector<sim::BlueprintPoint> &points, const std::string &name)
-{
-    return std::find_if(points.begin(), points.end(),
-                        [&](const sim::BlueprintPoint &one) { return one.name == name; });
-}
 
 }
 
@@ -58,10 +53,10 @@ sim::Script withBodyRenamed(sim::Script script, const Renaming &renaming)
     if (!script.values.blueprint)
         return script;
     sim::Blueprint plan = *script.values.blueprint;
-    const auto point = findPoint(plan.points, renaming.from);
-    if (point == plan.points.end() || findPoint(plan.points, renaming.to) != plan.points.end())
+    const std::optional<int> point = pointCalled(plan, renaming.from);
+    if (!point || pointCalled(plan, renaming.to))
         return script;
-    point->name = renaming.to;
+    plan.points[std::size_t(*point)].name = renaming.to;
     script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
     if (auto start = script.bodies.extract(renaming.from)) {
         start.key() = renaming.to;

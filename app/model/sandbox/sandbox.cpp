@@ -1,6 +1,7 @@
 #include "app/model/sandbox/sandbox.h"
 
 #include "app/listing/rule_program.h"
+#include "app/model/catalog/lists.h"
 #include "app/model/sandbox/blueprint_limits.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
@@ -67,7 +68,7 @@ QStringList orderOf(const sim::Scene &scene, const sim::Method &method)
 {
     const std::vector<std::string> needs = method.requirements();
     QStringList order;
-    if (scene.groups.size() > 1 && std::find(needs.begin(), needs.end(), "groups") != needs.end()) {
+    if (scene.groups.size() > 1 && contains(needs, "groups")) {
         for (const sim::Group &group : scene.groups)
             order << phrase(group.title);
     }
@@ -182,6 +183,11 @@ bool canBuild(const OpenRun &run, const RunEditor &editor, const Playback &playb
            run.timeline().cursor() == sim::Cursor{};
 }
 
+QString buildOnlyAtStart()
+{
+    return SandboxText::tr("You can only build at the start of the run. Press Home to go there.");
+}
+
 bool setBuiltEffect(const OpenRun &run, RunEditor &editor, const Playback &playback, const QString &id,
                     bool present)
 {
@@ -190,8 +196,7 @@ bool setBuiltEffect(const OpenRun &run, RunEditor &editor, const Playback &playb
     if (!effect || !editor.blueprint())
         return false;
     if (!canBuild(run, editor, playback)) {
-        run.showMessage(
-            SandboxText::tr("You can only build at the start of the run. Press Home to go there."));
+        run.showMessage(buildOnlyAtStart());
         return false;
     }
     sim::Blueprint plan = *editor.blueprint();

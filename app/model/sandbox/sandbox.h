@@ -29,6 +29,8 @@ bool takeExample(const OpenRun &run, RunEditor &editor, const lessons::Example &
 /// Returns whether the open scene can be edited now: it is a sandbox scene at the start of its run.
 bool canBuild(const OpenRun &run, const RunEditor &editor, const Playback &playback);
 
+/// Returns the message for a scene that cannot be edited now.
+QString buildOnlyAtStart();
 /// Adds an effect of the sandbox's catalogue to the scene, or removes it. If that is not possible now, a message says
 /// so. Returns whether the scene was changed.
 bool setBuiltEffect(const OpenRun &run, RunEditor &editor, const Playback &playback, const QString &id,

@@ -79,15 +79,9 @@ void SandboxEditor::followSelection()
 {
     if (m_isSharing || !isOpen())
         return;
-    const std::string name = m_session.selected().toStdString();
-    const std::vector<sim::BlueprintPoint> &points = plan().points;
-    const auto found = std::find_if(points.begin(), points.end(),
-                                    [&](const sim::BlueprintPoint &one) { return one.name == name; });
-    if (found == points.end())
-        return;
-    const int point = static_cast<int>(found - points.begin());
-    if (!std::binary_search(m_chosen.points.begin(), m_chosen.points.end(), point))
-        choose({{point}, {}, {}});
+    const std::optional<int> point = pointCalled(plan(), m_session.selected().toStdString());
+    if (point && !std::binary_search(m_chosen.points.begin(), m_chosen.points.end(), *point))
+        choose({{*point}, {}, {}});
 }
 
 /// The session shows the values of one body: the last selected one.

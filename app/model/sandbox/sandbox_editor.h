@@ -102,6 +102,8 @@ private:
     /// Explains why there is no link between the points `from` and `to`; -1: a new point. `made` is the link that made
     /// the scene invalid; empty if there was none.
     void reportWhyNoLink(int from, int to, std::optional<int> made);
+    /// Returns whether the scene can be edited now; if not, a message says so.
+    bool requireStart();
     int pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const;
     void useOnPoint(sim::Vec2 at, int hit);
     void reportFull();

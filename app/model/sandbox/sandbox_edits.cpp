@@ -1,12 +1,12 @@
 // Edits of a sandbox scene: each one is one undo step.
 
+#include "app/model/catalog/lists.h"
 #include "app/model/run/run_program.h"
 #include "app/model/sandbox/blueprint_limits.h"
 #include "app/model/sandbox/sandbox.h"
 #include "app/model/sandbox/sandbox_editor.h"
 #include "app/model/text/sentences.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace app {
@@ -49,15 +49,20 @@ Selection linkOf(BuildTool tool, int made)
 
 }
 
+bool SandboxEditor::requireStart()
+{
+    if (!canBuild())
+        m_session.showMessage(buildOnlyAtStart());
+    return canBuild();
+}
+
 bool SandboxEditor::change(const QString &what, const std::function<void(sim::Blueprint &)> &edit,
                            const QString &gesture)
 {
     if (!isOpen())
         return false;
-    if (!canBuild()) {
-        m_session.showMessage(tr("You can only build at the start of the run. Press Home to go there."));
+    if (!requireStart())
         return false;
-    }
     sim::Blueprint next = plan();
     edit(next);
     if (next == plan())
@@ -104,12 +109,8 @@ void SandboxEditor::useOnPoint(sim::Vec2 at, int hit)
 
 void SandboxEditor::use(sim::Vec2 at, int hit)
 {
-    if (!isOpen() || m_tool == BuildTool::select)
+    if (!isOpen() || m_tool == BuildTool::select || !requireStart())
         return;
-    if (!canBuild()) {
-        change({}, [](sim::Blueprint &) {}); // shows the message that explains why
-        return;
-    }
     if (m_tool == BuildTool::point || m_tool == BuildTool::nail) {
         useOnPoint(at, hit);
         return;
@@ -263,7 +264,7 @@ bool SandboxEditor::has(const QString &effect) const
     if (!isOpen())
         return false;
     const std::vector<std::string> &all = plan().effects;
-    return std::find(all.begin(), all.end(), effect.toStdString()) != all.end();
+    return contains(all, effect.toStdString());
 }
 
 void SandboxEditor::setEffect(const QString &id, bool present)
@@ -279,13 +280,12 @@ QString SandboxEditor::whyNotCalled(int point, const QString &name) const
     if (std::size_t(point) >= points.size() || points[std::size_t(point)].name == wanted)
         return {};
     if (!canBuild())
-        return tr("You can only build at the start of the run. Press Home to go there.");
+        return buildOnlyAtStart();
     if (programOf(m_session.timeline().script().method))
         return tr("Your code computes this run, and it names the points. Choose another method first.");
     if (const QString why = whyNotAName(name); !why.isEmpty())
         return why;
-    if (std::any_of(points.begin(), points.end(),
-                    [&](const sim::BlueprintPoint &one) { return one.name == wanted; }))
+    if (pointCalled(plan(), wanted))
         return tr("Another point is called “%1”. Choose another name.").arg(name);
     if (m_session.step().parameter(name))
         return tr("“%1” is a parameter. Choose another name, such as “%1_1”.").arg(name);

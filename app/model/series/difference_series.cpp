@@ -50,9 +50,10 @@ void DifferenceSeries::restart()
     if (m_isActive && isComparing() && m_comparisons.shown()) {
         m_branch = m_comparisons.shown()->script;
         m_shared = lastShared(timeline.script(), *m_branch);
-        m_rows = std::lcm(timeline.track().framesPerOutput(), timeline.comparison()->framesPerOutput());
-        m_spacing = m_rows;
-        m_next = m_shared / m_rows * m_rows;
+        m_leastSpacing =
+            std::lcm(timeline.track().framesPerOutput(), timeline.comparison()->framesPerOutput());
+        m_spacing = m_leastSpacing;
+        m_next = m_shared / m_leastSpacing * m_leastSpacing;
         m_isTooLarge = false;
     }
     emit changed();
@@ -77,7 +78,7 @@ void DifferenceSeries::dropFrom(std::int64_t frame)
     const bool isSame = m_branch && isComparing() && shown && shown->script == m_branch && frame > 0 &&
                         lastShared(m_run.timeline().script(), *m_branch) == m_shared;
     const bool isPast = m_next - m_spacing >= frame;
-    if (!isSame || (isPast && m_spacing > m_rows)) {
+    if (!isSame || (isPast && m_spacing > m_leastSpacing)) {
         restart();
         return;
     }
@@ -89,7 +90,7 @@ void DifferenceSeries::dropFrom(std::int64_t frame)
 void DifferenceSeries::dropAfter(std::int64_t frame)
 {
     std::erase_if(m_samples, [&](const Difference &one) { return one.frame > frame; });
-    m_next = frame / m_rows * m_rows + m_rows;
+    m_next = frame / m_leastSpacing * m_leastSpacing + m_leastSpacing;
     m_largest = {};
     for (const Difference &one : m_samples) {
         if (one.distance > m_largest.distance)

@@ -89,7 +89,7 @@ private:
     std::vector<Difference> m_samples;
     Difference m_largest;
     std::int64_t m_shared = 0;
-    std::int64_t m_rows = 1; ///< frames between two moments that both runs have
+    std::int64_t m_leastSpacing = 1; ///< frames between two moments that both runs have
     std::int64_t m_spacing = 1;
     std::int64_t m_next = 0;
     std::shared_ptr<const sim::Script> m_branch; ///< the comparison run

@@ -26,12 +26,6 @@ QString idOf(const sim::AccountName &name)
     return QString::fromStdString(name.id);
 }
 
-void append(QByteArray &text, double value)
-{
-    text += ',';
-    appendNumber(text, value);
-}
-
 /// Writes `titles`, and then for each counted output step its frame and the text from `write`.
 template <class Write>
 QByteArray rowsOf(const EnergySeries &series, const QByteArray &titles, Write &&write)
@@ -60,10 +54,10 @@ QByteArray energyTable(const EnergySeries &series)
     titles += title(QStringLiteral("doubt"), unit);
     return rowsOf(series, titles, [](QByteArray &text, const sim::Balance &balance) {
         for (const double held : {balance.after.moving, balance.after.gravity, balance.after.springs})
-            append(text, held);
+            appendField(text, held);
         for (const sim::AccountName &name : sim::accountNames())
-            append(text, balance.energy[name.account]);
-        append(text, balance.errorEstimate);
+            appendField(text, balance.energy[name.account]);
+        appendField(text, balance.errorEstimate);
     });
 }
 
@@ -79,8 +73,8 @@ QByteArray momentumTable(const EnergySeries &series)
         addPair(idOf(name));
     return rowsOf(series, titles, [](QByteArray &text, const sim::Balance &balance) {
         const auto addBoth = [&text](sim::Vec2 push) {
-            append(text, push.x);
-            append(text, push.y);
+            appendField(text, push.x);
+            appendField(text, push.y);
         };
         addBoth(balance.after.momentum);
         for (const sim::AccountName &name : sim::accountNames())

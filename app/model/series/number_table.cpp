@@ -119,10 +119,8 @@ void NumberTable::append(SteppedRun &run)
     std::vector<double> row(m_sheet.quantities.size(), std::nan(""));
     if (run.goTo(m_frame))
         run.read(m_sheet.quantities, row);
-    for (const double value : row) {
-        m_text += ',';
-        appendNumber(m_text, value);
-    }
+    for (const double value : row)
+        appendField(m_text, value);
 }
 
 void NumberTable::end()

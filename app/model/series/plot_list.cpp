@@ -1,5 +1,6 @@
 #include "app/model/series/plot_list.h"
 
+#include "app/model/catalog/lists.h"
 #include "sim/base/error.h"
 #include "sim/run/track.h"
 
@@ -145,7 +146,7 @@ std::vector<Quantity> quantitiesOf(const std::vector<PlotSpec> &plots)
     std::vector<Quantity> all;
     for (const PlotSpec &plot : plots) {
         for (const Quantity &one : {plot.up, plot.across}) {
-            if (std::find(all.begin(), all.end(), one) == all.end())
+            if (!contains(all, one))
                 all.push_back(one);
         }
     }

@@ -55,9 +55,9 @@ void RunSampler::read(const sim::Track &track, const sim::State *before)
     const std::shared_ptr<const sim::ComposedInterval> interval = track.intervalAt(m_end->frame);
     if (m_reader.segment() != interval.get())
         m_reader = QuantityReader(m_quantities, interval);
-    std::vector<double> row(m_quantities.size());
-    m_reader.read({*m_end, before, static_cast<double>(m_framesPerOutput)}, row);
-    m_samples.add(row);
+    std::vector<double> values(m_quantities.size());
+    m_reader.read({*m_end, before, static_cast<double>(m_framesPerOutput)}, values);
+    m_samples.add(values);
 }
 
 void RunSampler::forgetAfter(std::int64_t frame)

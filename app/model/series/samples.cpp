@@ -28,17 +28,17 @@ std::size_t Samples::bucketNear(std::int64_t frame) const
         std::clamp<std::int64_t>(bucket, 0, static_cast<std::int64_t>(size()) - 1));
 }
 
-void Samples::add(std::span<const double> row)
+void Samples::add(std::span<const double> values)
 {
-    const bool begins = m_rows % m_stride == 0;
+    const bool begins = m_outputSteps % m_stride == 0;
     for (std::size_t column = 0; column < m_columns; ++column) {
-        const Bucket one{row[column], row[column], row[column]};
+        const Bucket one{values[column], values[column], values[column]};
         if (begins)
             m_buckets.push_back(one);
         else
             take(m_buckets[m_buckets.size() - m_columns + column], one);
     }
-    ++m_rows;
+    ++m_outputSteps;
 }
 
 void Samples::forgetAfter(std::int64_t frame)
@@ -48,7 +48,7 @@ void Samples::forgetAfter(std::int64_t frame)
     const std::int64_t steps = frame < m_first ? 0 : (frame - m_first) / m_framesPerOutput + 1;
     const std::int64_t buckets = steps / m_stride;
     m_buckets.resize(static_cast<std::size_t>(buckets) * m_columns);
-    m_rows = buckets * m_stride;
+    m_outputSteps = buckets * m_stride;
 }
 
 void Samples::forgetBefore(std::int64_t frame)
@@ -59,7 +59,7 @@ void Samples::forgetBefore(std::int64_t frame)
     m_buckets.erase(m_buckets.begin(), m_buckets.begin() + static_cast<std::ptrdiff_t>(buckets) *
                                                                static_cast<std::ptrdiff_t>(m_columns));
     m_first += buckets * wide;
-    m_rows = std::max<std::int64_t>(0, m_rows - buckets * m_stride);
+    m_outputSteps = std::max<std::int64_t>(0, m_outputSteps - buckets * m_stride);
 }
 
 void Samples::thin()

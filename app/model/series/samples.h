@@ -28,10 +28,10 @@ public:
     std::int64_t stride() const { return m_stride; }
     std::int64_t firstFrame() const { return m_first; }
     /// Returns the frame of the next output step to add.
-    std::int64_t nextFrame() const { return m_first + m_rows * m_framesPerOutput; }
+    std::int64_t nextFrame() const { return m_first + m_outputSteps * m_framesPerOutput; }
     /// Returns the number of buckets.
     std::size_t size() const { return m_columns == 0 ? 0 : m_buckets.size() / m_columns; }
-    bool isEmpty() const { return m_rows == 0; }
+    bool isEmpty() const { return m_outputSteps == 0; }
     const Bucket &at(std::size_t bucket, std::size_t column) const
     {
         return m_buckets[bucket * m_columns + column];
@@ -45,7 +45,7 @@ public:
     std::size_t bucketNear(std::int64_t frame) const;
 
     /// Adds the next output step, with one number per column.
-    void add(std::span<const double> row);
+    void add(std::span<const double> values);
     /// Drops the output steps after `frame`, and the others that share a bucket with them.
     void forgetAfter(std::int64_t frame);
     /// Drops the buckets before the one that starts at `frame`.
@@ -56,7 +56,7 @@ public:
 private:
     std::size_t m_columns = 0;
     std::int64_t m_first = 0;
-    std::int64_t m_rows = 0;
+    std::int64_t m_outputSteps = 0;
     std::int64_t m_stride = 1;
     int m_framesPerOutput = 1;
     std::vector<Bucket> m_buckets; ///< by bucket, then by column

@@ -96,7 +96,7 @@ void ComparisonRuns::computeSlice()
     }
     if (m_sinceReport.hasExpired(reportMilliseconds)) {
         m_sinceReport.start();
-        m_run.changes().showMessage(
+        m_run.showMessage(
             tr("Computing “%1” again: frame %2 of %3. Press Esc to stop.")
                 .arg(shown()->name, QString::number(m_coming->cursor().frame), QString::number(goal)));
     }
@@ -112,8 +112,7 @@ void ComparisonRuns::cancel()
 {
     if (!m_coming)
         return;
-    m_run.changes().showMessage(
-        tr("Stopped: “%1” is not shown. You can show it again in “Runs”.").arg(shown()->name));
+    m_run.showMessage(tr("Stopped: “%1” is not shown. You can show it again in “Runs”.").arg(shown()->name));
     show(0);
 }
 

@@ -107,13 +107,13 @@ void Playback::startForInput()
     if (isPlaying() || m_run.step().points == lessons::PointSource::scene || timeline.stop() || !isAtAnEnd)
         return;
     play();
-    m_run.changes().showMessage(tr("The run plays while you drag. Press Space to stop it."));
+    m_run.showMessage(tr("The run plays while you drag. Press Space to stop it."));
 }
 
 void Playback::reportIfPaused()
 {
     if (!isPlaying())
-        m_run.changes().showMessage(tr("The run is paused. Press Space to play from here."));
+        m_run.showMessage(tr("The run is paused. Press Space to play from here."));
 }
 
 void Playback::frameForward()
@@ -383,7 +383,7 @@ void Playback::advance(int frames)
     if (stop && timeline.cursor().frame == stop->frame) {
         const bool isNews = isPlaying() || !wasStopped;
         if (isNews)
-            m_run.changes().showMessage(endSentence(timeline.track()));
+            m_run.showMessage(endSentence(timeline.track()));
         pause();
         if (isNews)
             stopAtMistake();
@@ -398,9 +398,8 @@ void Playback::judgePace(Playing &playing, int due, int played)
     playing.due += due;
     playing.played += played;
     if (!isJudged && playing.due >= framesToJudge && playing.played < fallsBehind * playing.due)
-        m_run.changes().showMessage(
-            tr("Too much to compute at 30 frames a second: the run plays more slowly. Its "
-               "numbers stay the same."));
+        m_run.showMessage(tr("Too much to compute at 30 frames a second: the run plays more slowly. Its "
+                             "numbers stay the same."));
 }
 
 bool Playback::isOver()

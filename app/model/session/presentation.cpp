@@ -74,9 +74,9 @@ std::vector<sim::PhaseExplanation> Presentation::explanations() const
     const sim::Track &track = m_preview.run().track();
     const std::int64_t end =
         track.cursor().phase > 0 ? track.cursor().frame : track.cursor().frame - track.framesPerOutput();
-    const std::int64_t rows =
+    const std::int64_t outputSteps =
         (end - track.cachedFrameBefore(std::max<std::int64_t>(0, end))) / track.framesPerOutput();
-    if (rows * track.script().step.stepsPerOutput * track.state().pointCount() > mostPointSteps)
+    if (outputSteps * track.script().step.stepsPerOutput * track.state().pointCount() > mostPointSteps)
         return {};
     return track.explainPhases(m_run.selected().toStdString());
 }

@@ -15,15 +15,15 @@ double evaluationsTo(const sim::Track &run, sim::Cursor at)
 {
     const sim::Script &script = run.script();
     const std::int64_t framesPerOutput = run.framesPerOutput();
-    const std::int64_t rows =
+    const std::int64_t outputSteps =
         (at.frame - run.cachedFrameBefore(at.frame)) / framesPerOutput + (at.phase > 0 ? 1 : 0);
     // An adaptive method is expected to take as many steps as until now.
     const double counted =
         run.state().forceEvaluations() / static_cast<double>(std::max<std::int64_t>(1, run.cursor().frame));
     const double planned =
         double(std::max(1, script.method->evaluationsPerStep())) * script.step.stepsPerOutput;
-    const double perRow = std::max(planned, counted * static_cast<double>(framesPerOutput));
-    return static_cast<double>(rows) * perRow * run.state().pointCount();
+    const double perOutputStep = std::max(planned, counted * static_cast<double>(framesPerOutput));
+    return static_cast<double>(outputSteps) * perOutputStep * run.state().pointCount();
 }
 
 }

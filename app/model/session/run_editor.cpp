@@ -17,8 +17,7 @@ namespace {
 /// Returns the input that a run of `step` with the values of `script` begins with.
 std::vector<sim::Event> openingInput(const lessons::Step &step, const sim::Script &script)
 {
-    return step.prepareScript ? step.scriptWith(script.values, script.method).input
-                              : std::vector<sim::Event>();
+    return step.scriptWith(script.values, script.method).input;
 }
 
 /// Returns the kinds of the change from one run to another. The listing computes only one of them if the methods differ.
@@ -81,7 +80,7 @@ void RunEditor::edit(const EditLabel &label, const Edit &edit)
     try {
         isComparison = edit(timeline);
     } catch (const sim::Error &error) {
-        m_run.changes().showMessage(sentenceFor(error));
+        m_run.showMessage(sentenceFor(error));
         return;
     }
     Replaced replaced = Replaced::forgotten;
@@ -97,7 +96,7 @@ void RunEditor::edit(const EditLabel &label, const Edit &edit)
     if (replaced != Replaced::forgotten) {
         m_comparisons.showNewest();
         if (const Branch *branch = m_comparisons.shown())
-            m_run.changes().showMessage(tr("The old run stays beside this one as “%1”.").arg(branch->name));
+            m_run.showMessage(tr("The old run stays beside this one as “%1”.").arg(branch->name));
     }
     m_history.add(label, std::move(before), m_comparisons.snapshot());
 }
@@ -145,7 +144,7 @@ void RunEditor::startAnew(const EditLabel &label, const sim::Values &values,
             startAnew(label, m_run.step().scriptWith(values, method));
             return;
         } catch (const sim::Error &error) {
-            m_run.changes().showMessage(sentenceFor(error)); // another method may be able to compute it
+            m_run.showMessage(sentenceFor(error)); // another method may be able to compute it
         }
     }
 }
@@ -197,7 +196,7 @@ bool RunEditor::replaceBy(const EditLabel &label, const sim::Script &script)
             edit(label, [&](sim::Timeline &run) { return run.replaceScript(script); });
         }
     } catch (const sim::Error &error) {
-        m_run.changes().showMessage(sentenceFor(error));
+        m_run.showMessage(sentenceFor(error));
         return false;
     }
     m_comparisons.show(0);
@@ -218,7 +217,7 @@ void RunEditor::restart()
         edit({tr("Restart"), tr("the restart")},
              [&](sim::Timeline &run) { return run.replaceScript(std::move(script)); });
         m_comparisons.show(0); // a ghost would repeat the input that the user wants to get rid of
-        m_run.changes().showMessage(tr("A new run. The old one is in “Runs”; Undo brings it back."));
+        m_run.showMessage(tr("A new run. The old one is in “Runs”; Undo brings it back."));
     }
     m_playback.goTo({});
 }
@@ -280,7 +279,7 @@ bool RunEditor::replaceSandbox(const EditLabel &label, const sim::Script &script
         timeline.replaceScript(script);
     } catch (const sim::Error &error) {
         timeline.seek(was);
-        m_run.changes().showMessage(sentenceFor(error));
+        m_run.showMessage(sentenceFor(error));
         return false;
     }
     timeline.dropComparison();
@@ -313,8 +312,7 @@ void RunEditor::goBackTo(int id)
     m_comparisons.limit();
     m_history.add({tr("Go back to “%1”").arg(name), {}}, std::move(before), m_comparisons.snapshot());
     m_run.changes().announce(ChangeKind::run);
-    m_run.changes().showMessage(
-        tr("“%1” is the current run again. The run that you left is now in “Runs”.").arg(name));
+    m_run.showMessage(tr("“%1” is the current run again. The run that you left is now in “Runs”.").arg(name));
 }
 
 void RunEditor::undo()
@@ -326,7 +324,7 @@ void RunEditor::undo()
         return;
     const QString what = m_history.stack().undoText();
     m_history.stack().undo();
-    m_run.changes().showMessage(tr("Undone: %1.").arg(what));
+    m_run.showMessage(tr("Undone: %1.").arg(what));
 }
 
 void RunEditor::redo()
@@ -337,7 +335,7 @@ void RunEditor::redo()
         return;
     const QString what = m_history.stack().redoText();
     m_history.stack().redo();
-    m_run.changes().showMessage(tr("Redone: %1.").arg(what));
+    m_run.showMessage(tr("Redone: %1.").arg(what));
 }
 
 bool RunEditor::needsNewStart(const sim::Script &script) const
@@ -391,7 +389,7 @@ void RunEditor::restore(const RunSnapshot &to, const QString &replacedName, Keep
     try {
         isComparison = replaceRun(*to.script);
     } catch (const sim::Error &error) {
-        m_run.changes().showMessage(sentenceFor(error));
+        m_run.showMessage(sentenceFor(error));
         return;
     }
     m_comparisons.restore(std::move(branches), isComparison ? before.script.get() : nullptr);

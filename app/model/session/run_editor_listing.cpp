@@ -73,7 +73,7 @@ bool RunEditor::replaceCode(const EditLabel &label, sim::Script script)
             isComparison = timeline.replaceScript(std::move(script));
     } catch (const sim::Error &error) {
         timeline.seek(was);
-        m_run.changes().showMessage(sentenceFor(error));
+        m_run.showMessage(sentenceFor(error));
         return false;
     }
     const bool leavesBranch = isComparison || (!corrects && before.branches.own().end > 0);
@@ -94,7 +94,7 @@ bool RunEditor::replaceCode(const EditLabel &label, sim::Script script)
     if (!corrects)
         m_typedOver = leavesBranch && branch ? branch->id : 0;
     if (leavesBranch && branch)
-        m_run.changes().showMessage(tr("The old run stays beside this one as “%1”.").arg(branch->name));
+        m_run.showMessage(tr("The old run stays beside this one as “%1”.").arg(branch->name));
     return true;
 }
 

@@ -1,5 +1,6 @@
 // Edits of parameters, method, step size and effects.
 
+#include "app/model/catalog/lists.h"
 #include "app/model/session/run_editor.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/sentences.h"
@@ -161,7 +162,7 @@ void RunEditor::setStep(sim::StepSize (*make)(double), double value)
     try {
         use(m_run.timeline().script().method, make(value));
     } catch (const sim::Error &error) {
-        m_run.changes().showMessage(sentenceFor(error));
+        m_run.showMessage(sentenceFor(error));
     }
 }
 
@@ -185,7 +186,7 @@ std::vector<sim::EffectPtr> RunEditor::listedEffects() const
 bool RunEditor::isOff(const QString &effect) const
 {
     const std::vector<std::string> &off = m_run.timeline().script().effectsOff;
-    return std::find(off.begin(), off.end(), effect.toStdString()) != off.end();
+    return contains(off, effect.toStdString());
 }
 
 void RunEditor::setEffect(const QString &id, bool on)
@@ -202,8 +203,7 @@ void RunEditor::setEffect(const QString &id, bool on)
         script.effectsOff.clear(); // in the scene's order, however they were switched
         for (const sim::EffectPtr &one : listed) {
             const QString other = QString::fromStdString(one->id());
-            const bool known = std::find(script.effectsOff.begin(), script.effectsOff.end(), one->id()) !=
-                               script.effectsOff.end();
+            const bool known = contains(script.effectsOff, one->id());
             if (!known && (other == id ? !on : isOff(other)))
                 script.effectsOff.push_back(one->id());
         }

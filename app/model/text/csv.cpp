@@ -14,6 +14,12 @@ void appendNumber(QByteArray &text, double value)
     text.append(digits, end - digits);
 }
 
+void appendField(QByteArray &text, double value)
+{
+    text += ',';
+    appendNumber(text, value);
+}
+
 QByteArray quotedField(QString text)
 {
     return '"' + text.replace('"', "\"\"").toUtf8() + '"';

@@ -20,84 +20,71 @@ struct QuantityText
 
 constexpr double smallest = 1e-3; ///< smaller numbers are written with a power of ten
 
+struct Words
+{
+    QString title;
+    QString help;
+};
+
+Words wordsFor(QuantityKind what)
+{
+    switch (what) {
+    case QuantityKind::time:
+        return {QuantityText::tr("time"), QuantityText::tr("Frames since the start of the run")};
+    case QuantityKind::placeX:
+        return {QuantityText::tr("x"), QuantityText::tr("How far to the right it is")};
+    case QuantityKind::placeY:
+        return {QuantityText::tr("y"),
+                QuantityText::tr("How far down it is: y grows downwards, in the picture and in plots")};
+    case QuantityKind::velocityX:
+        return {QuantityText::tr("velocity x"), QuantityText::tr("How far it moves to the right in a frame")};
+    case QuantityKind::velocityY:
+        return {QuantityText::tr("velocity y"), QuantityText::tr("How far it moves down in a frame")};
+    case QuantityKind::speed:
+        return {QuantityText::tr("speed"), QuantityText::tr("How far it moves in a frame, in any direction")};
+    case QuantityKind::accelerationX:
+        return {QuantityText::tr("acceleration x"),
+                QuantityText::tr("How much its velocity to the right changed in the last frame")};
+    case QuantityKind::accelerationY:
+        return {QuantityText::tr("acceleration y"),
+                QuantityText::tr("How much its velocity downwards changed in the last frame")};
+    case QuantityKind::acceleration:
+        return {QuantityText::tr("size of acceleration"),
+                QuantityText::tr("How much its velocity changed in the last frame, in any direction")};
+    case QuantityKind::angle:
+        return {QuantityText::tr("angle"),
+                QuantityText::tr("Where it points: 0° is to the right, and 90° is down")};
+    case QuantityKind::spin:
+        return {QuantityText::tr("turning speed"), QuantityText::tr("How much its angle changes in a frame")};
+    case QuantityKind::ownMotion:
+        return {QuantityText::tr("kinetic energy"),
+                QuantityText::tr("Half its mass times the square of its speed")};
+    case QuantityKind::distance:
+        return {QuantityText::tr("distance"),
+                QuantityText::tr("How far two bodies are from each other, centre to centre")};
+    case QuantityKind::motion:
+        return {QuantityText::tr("total kinetic energy"),
+                QuantityText::tr("The energy of motion of everything together")};
+    case QuantityKind::stored:
+        return {QuantityText::tr("total potential energy"),
+                QuantityText::tr("The energy stored in springs and in height")};
+    case QuantityKind::energy:
+        break;
+    }
+    return {QuantityText::tr("total energy"),
+            QuantityText::tr("Kinetic and potential energy of everything together")};
+}
+
 }
 
 QString kindTitle(QuantityKind what)
 {
-    switch (what) {
-    case QuantityKind::time:
-        return QuantityText::tr("time");
-    case QuantityKind::placeX:
-        return QuantityText::tr("x");
-    case QuantityKind::placeY:
-        return QuantityText::tr("y");
-    case QuantityKind::velocityX:
-        return QuantityText::tr("velocity x");
-    case QuantityKind::velocityY:
-        return QuantityText::tr("velocity y");
-    case QuantityKind::speed:
-        return QuantityText::tr("speed");
-    case QuantityKind::accelerationX:
-        return QuantityText::tr("acceleration x");
-    case QuantityKind::accelerationY:
-        return QuantityText::tr("acceleration y");
-    case QuantityKind::acceleration:
-        return QuantityText::tr("size of acceleration");
-    case QuantityKind::angle:
-        return QuantityText::tr("angle");
-    case QuantityKind::spin:
-        return QuantityText::tr("turning speed");
-    case QuantityKind::ownMotion:
-        return QuantityText::tr("kinetic energy");
-    case QuantityKind::distance:
-        return QuantityText::tr("distance");
-    case QuantityKind::motion:
-        return QuantityText::tr("total kinetic energy");
-    case QuantityKind::stored:
-        return QuantityText::tr("total potential energy");
-    case QuantityKind::energy:
-        break;
-    }
-    return QuantityText::tr("total energy");
+    return wordsFor(what).title;
 }
 
 QString kindHelp(QuantityKind what)
 {
-    switch (what) {
-    case QuantityKind::time:
-        return QuantityText::tr("Frames since the start of the run");
-    case QuantityKind::placeX:
-        return QuantityText::tr("How far to the right it is");
-    case QuantityKind::placeY:
-        return QuantityText::tr("How far down it is: y grows downwards, in the picture and in plots");
-    case QuantityKind::velocityX:
-        return QuantityText::tr("How far it moves to the right in a frame");
-    case QuantityKind::velocityY:
-        return QuantityText::tr("How far it moves down in a frame");
-    case QuantityKind::speed:
-        return QuantityText::tr("How far it moves in a frame, in any direction");
-    case QuantityKind::accelerationX:
-        return QuantityText::tr("How much its velocity to the right changed in the last frame");
-    case QuantityKind::accelerationY:
-        return QuantityText::tr("How much its velocity downwards changed in the last frame");
-    case QuantityKind::acceleration:
-        return QuantityText::tr("How much its velocity changed in the last frame, in any direction");
-    case QuantityKind::angle:
-        return QuantityText::tr("Where it points: 0° is to the right, and 90° is down");
-    case QuantityKind::spin:
-        return QuantityText::tr("How much its angle changes in a frame");
-    case QuantityKind::ownMotion:
-        return QuantityText::tr("Half its mass times the square of its speed");
-    case QuantityKind::distance:
-        return QuantityText::tr("How far two bodies are from each other, centre to centre");
-    case QuantityKind::motion:
-        return QuantityText::tr("The energy of motion of everything together");
-    case QuantityKind::stored:
-        return QuantityText::tr("The energy stored in springs and in height");
-    case QuantityKind::energy:
-        break;
-    }
-    return QuantityText::tr("Kinetic and potential energy of everything together");
+    return wordsFor(what).help;
 }
 
 QString unitOf(QuantityKind what, bool turns)

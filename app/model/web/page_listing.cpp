@@ -21,8 +21,7 @@ std::shared_ptr<const listing::Program> programFor(const lessons::Step &step, co
         script.method->id() == step.method.toStdString() && script.step == sim::StepSize();
     if (step.listing.text.isEmpty() || !isOwnMethod)
         return nullptr;
-    const listing::Vocabulary names = listing::vocabularyOf(sim::sceneOf(script, script.values));
-    return listing::Program::compile(step.listing.text.toStdString(), names).program;
+    return compiledFor(script, step.listing.text).program;
 }
 
 }

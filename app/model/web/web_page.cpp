@@ -154,8 +154,7 @@ bool WebPage::followCompanion()
     if (!m_companion->follow(m_plan.experiment.script, frame()))
         return false;
     m_isBehind = false;
-    m_hasBeside = m_companion->track() != nullptr;
-    if (m_hasBeside && m_count > 0)
+    if (m_companion->track() && m_count > 0)
         m_beside.add(pictureOf(*m_companion->track()));
     return true;
 }
@@ -276,10 +275,11 @@ void WebPage::writeFigures(JsonWriter &json, NumberColumns &columns) const
         figure.write(json, columns);
         json.endObject();
     };
+    const bool hasBeside = m_companion && m_companion->track();
     json.beginList("figures");
     json.beginObject();
-    write(m_figure, m_hasBeside ? runTitle() : QString(), {});
-    if (m_hasBeside) {
+    write(m_figure, hasBeside ? runTitle() : QString(), {});
+    if (hasBeside) {
         json.beginObject();
         write(m_beside, m_step.companion->caption, m_step.companion->offset);
     }

@@ -103,8 +103,7 @@ private:
     PageFigure m_figure;
     std::optional<CompanionRun> m_companion;
     PageFigure m_beside;
-    bool m_hasBeside = false; ///< the companion's method can compute the scene
-    bool m_isBehind = false;  ///< the companion has not reached the cursor yet
+    bool m_isBehind = false; ///< the companion has not reached the cursor yet
     std::optional<sim::Track> m_ghost;
     PageFigure m_ghostFigure; ///< without overlays
     std::unique_ptr<PageListing> m_listing;

@@ -4,8 +4,10 @@
 #include "app/ui/accuracy/order_plot.h"
 #include "app/ui/accuracy/run_plot.h"
 #include "app/ui/accuracy/work_precision_plot.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/progress_line.h"
+#include "app/ui/dock/scroll_page.h"
 #include "app/ui/plots/plot_export.h"
 
 #include <QAbstractButton>
@@ -30,12 +32,10 @@ constexpr int margin = 16;
 constexpr int leastPlot = 150;   ///< px; below that a plot tells nothing
 constexpr int leastRemarks = 36; ///< px: two lines; what does not fit is scrolled to
 
-QLabel *textLabel(const char *name, Qt::TextFormat format, QWidget *parent)
+QLabel *plainLabel(const char *name, QWidget *parent)
 {
-    auto *label = new QLabel(parent);
-    label->setObjectName(name);
-    label->setTextFormat(format);
-    label->setWordWrap(true);
+    QLabel *label = makeTextLabel(name, {}, parent);
+    label->setTextFormat(Qt::PlainText);
     label->setContentsMargins(margin, 0, margin, 0);
     return label;
 }
@@ -46,8 +46,7 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Preview &preview, const
                              QWidget *parent)
     : QWidget(parent), m_study(study)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_title = new PanelTitle(tr("Accuracy"), theme, this);
     m_views = new QStackedWidget(this);
     m_workPrecision = new WorkPrecisionPlot(study, theme, m_views);
@@ -68,7 +67,7 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Preview &preview, const
                          tr("All measured methods, with two more plots and with remarks"), true);
     m_title->addAction(m_all);
     m_title->addAction(m_export->makeButton(this));
-    m_unstable = textLabel("failure", Qt::PlainText, this);
+    m_unstable = plainLabel("failure", this);
     m_views->setMinimumHeight(leastPlot);
     makeRemarks();
     auto *column = new QVBoxLayout(this);
@@ -87,15 +86,13 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Preview &preview, const
 
 void AccuracyPanel::makeRemarks()
 {
-    m_remarks = textLabel("caption", Qt::PlainText, this);
+    m_remarks = plainLabel("caption", this);
     m_remarks->setAlignment(Qt::AlignTop);
-    m_remarksArea = new QScrollArea(this);
+    m_remarksArea = makeScrollArea(*this);
+    m_remarksArea->setFocusPolicy(Qt::StrongFocus); // the arrow keys scroll
     m_remarksArea->setWidget(m_remarks);
     m_remarks->setAutoFillBackground(false);
     m_remarksArea->viewport()->setAutoFillBackground(false);
-    m_remarksArea->setWidgetResizable(true);
-    m_remarksArea->setFrameShape(QFrame::NoFrame);
-    m_remarksArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
 QWidget *AccuracyPanel::tabs()
@@ -114,9 +111,7 @@ QWidget *AccuracyPanel::stateRow()
     auto *row = new QWidget(this);
     auto *layout = new QHBoxLayout(row);
     layout->setContentsMargins(margin, 0, margin, 0);
-    m_state = new QLabel(row);
-    m_state->setObjectName("caption");
-    m_state->setWordWrap(true);
+    m_state = makeTextLabel("caption", {}, row);
     m_fewer =
         choiceButton("fewerMethods", tr("Show fewer methods"),
                      tr("Only the method of this step, and the two most useful to compare it with"), false);
@@ -124,7 +119,6 @@ QWidget *AccuracyPanel::stateRow()
     m_progress->setMaximumWidth(160);
     m_measure = new QPushButton(row);
     m_measure->setObjectName("measure");
-    m_measure->setAutoDefault(false);
     m_measure->setFocusPolicy(Qt::TabFocus);
     layout->addWidget(m_state, 1);
     layout->addWidget(m_progress);
@@ -152,7 +146,6 @@ QWidget *AccuracyPanel::card(const Theme &theme)
     m_verdict->setWordWrap(true);
     m_use = new QPushButton(tr("Use it"), card);
     m_use->setObjectName("use");
-    m_use->setAutoDefault(false);
     m_use->setFocusPolicy(Qt::TabFocus);
     layout->addWidget(m_verdict, 1);
     layout->addWidget(m_use, 0, Qt::AlignVCenter);
@@ -164,7 +157,6 @@ QPushButton *AccuracyPanel::choiceButton(const char *name, const QString &text, 
 {
     auto *button = new QPushButton(text, this);
     button->setObjectName(name);
-    button->setAutoDefault(false);
     button->setFocusPolicy(Qt::TabFocus);
     button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, [this, all] {

@@ -3,6 +3,7 @@
 #include "app/model/code/code_listing.h"
 #include "app/model/text/user_error.h"
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/theme/icon_button.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -76,8 +77,7 @@ BreakpointList::BreakpointList(const OpenRun &run, Playback &playback, const The
     : QWidget(parent), m_run(run), m_playback(playback), m_theme(theme), m_scroll(new QScrollArea(this)),
       m_field(new ConditionField(this)), m_error(new QLabel(this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -94,9 +94,7 @@ BreakpointList::BreakpointList(const OpenRun &run, Playback &playback, const The
                            "released(a).\nPress Enter to "
                            "add it."));
     m_field->setAccessibleDescription(m_field->toolTip());
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(this);
     column->addWidget(divider(this));
     column->addWidget(m_scroll);
     auto *box = new QHBoxLayout;

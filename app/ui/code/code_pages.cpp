@@ -9,6 +9,7 @@
 #include "app/ui/code/listing/listing_editor.h"
 #include "app/ui/code/listing/listing_panel.h"
 #include "app/ui/code/listing/rule_panel.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/scene/scene_view.h"
 
@@ -30,18 +31,15 @@ CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
       m_listing(new ListingPanel(session, theme, this)),
       m_rule(new RulePanel(session.run(), session.editor(), session.playback(), session.rule(), theme, this)),
       m_pages(new QStackedWidget(this)), m_offer(new QWidget(this)), m_offerText(new QLabel(m_offer)),
-      m_use(new QPushButton(m_offer)), m_tabs(new QWidget(this)), m_actions(new QWidget(this))
+      m_use(new QPushButton(m_offer)), m_tabs(new QWidget(this)), m_actions(new QWidget(this)),
+      m_wantsEngine(QSettings().value(pageKey).toString() == QLatin1String("engine"))
 {
-    if (QSettings().value(pageKey).toString() == QLatin1String("engine"))
-        m_wantsEngine = true;
     m_pages->addWidget(m_listing); // in the order of Page
     m_pages->addWidget(m_rule);
     m_pages->addWidget(m_engine);
     makeOffer();
     makeTitle();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    QVBoxLayout *layout = makeColumn(this);
     layout->addWidget(m_offer);
     layout->addWidget(m_pages, 1);
     connect(m_engine, &CodePanel::captionChanged, this, [this] { emit captionChanged(caption()); });
@@ -60,8 +58,7 @@ CodePages::~CodePages() = default;
 
 void CodePages::makeOffer()
 {
-    m_offer->setObjectName("panel");
-    m_offer->setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*m_offer);
     m_offerText->setObjectName("caption");
     m_offerText->setWordWrap(true);
     m_use->setObjectName("useListing");

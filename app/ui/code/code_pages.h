@@ -89,7 +89,7 @@ private:
     QWidget *m_tabs;
     QWidget *m_actions;
     QButtonGroup *m_tabGroup = nullptr;
-    bool m_wantsEngine = false; ///< whether the learner wants the engine's page rather than the one to write
+    bool m_wantsEngine; ///< whether the learner wants the engine's page rather than the one to write
     bool m_wasInUse = true;
     bool m_hadRule = false;
     const lessons::Step *m_step = nullptr; ///< the step that is shown

@@ -4,8 +4,6 @@
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/theme/theme.h"
 
-#include <Qsci/qsciscintilla.h>
-
 namespace app {
 
 namespace {
@@ -25,6 +23,27 @@ void makeRowsAsHigh(QsciScintilla &view, int pixels)
 
 }
 
+void setUpCode(QsciScintilla &view, QsciScintilla::MarginType numbers, int marginMarkers)
+{
+    view.setUtf8(true);
+    view.setFrameShape(QFrame::NoFrame);
+    view.setFocusPolicy(Qt::StrongFocus);
+    view.setCaretLineVisible(false);
+    view.setMinimumSize(160, 3 * codeRowPixels);
+    send(view, Base::SCI_SETLEXER, Base::SCLEX_CONTAINER);
+    send(view, Base::SCI_SETMARGINLEFT, 0, 0);
+    const int edges[] = {0, CodeMargins::symbol, CodeMargins::bar, CodeMargins::bar + CodeMargins::barWidth,
+                         CodeMargins::text};
+    for (int margin = 0; margin < 4; ++margin) {
+        view.setMarginType(margin, margin == 0 ? numbers : QsciScintilla::SymbolMargin);
+        view.setMarginWidth(margin, edges[margin + 1] - edges[margin]);
+        view.setMarginMarkerMask(margin, margin == 0 ? 0 : marginMarkers);
+        view.setMarginSensitivity(margin, false);
+        send(view, Base::SCI_SETMARGINCURSORN, margin, Base::SC_CURSORARROW);
+    }
+    view.setMarginWidth(4, 0);
+}
+
 QFont inPoints(const QsciScintilla &view, QFont font, double pixels)
 {
     font.setPointSizeF(pixels * 72.0 / view.logicalDpiY());
@@ -33,14 +52,13 @@ QFont inPoints(const QsciScintilla &view, QFont font, double pixels)
 
 void defineStyle(QsciScintilla &view, int style, const QFont &font, const QColor &ink, const QColor &paper)
 {
-    const auto s = static_cast<std::size_t>(style);
-    view.SendScintilla(Base::SCI_STYLESETFONT, s, font.family().toUtf8().constData());
-    send(view, Base::SCI_STYLESETSIZEFRACTIONAL, s,
+    send(view, Base::SCI_STYLESETFONT, style, font.family().toUtf8());
+    send(view, Base::SCI_STYLESETSIZEFRACTIONAL, style,
          qRound(font.pointSizeF() * int(Base::SC_FONT_SIZE_MULTIPLIER)));
-    send(view, Base::SCI_STYLESETWEIGHT, s, font.weight());
-    send(view, Base::SCI_STYLESETITALIC, s, font.italic());
-    view.SendScintilla(Base::SCI_STYLESETFORE, s, ink);
-    view.SendScintilla(Base::SCI_STYLESETBACK, s, paper);
+    send(view, Base::SCI_STYLESETWEIGHT, style, font.weight());
+    send(view, Base::SCI_STYLESETITALIC, style, font.italic());
+    view.SendScintilla(Base::SCI_STYLESETFORE, static_cast<unsigned long>(style), ink);
+    view.SendScintilla(Base::SCI_STYLESETBACK, static_cast<unsigned long>(style), paper);
 }
 
 void styleCode(QsciScintilla &view, const Theme &theme, double letterPixels)

@@ -3,7 +3,7 @@
 #include <QColor>
 #include <QFont>
 
-class QsciScintilla;
+#include <Qsci/qsciscintilla.h>
 
 namespace app {
 
@@ -11,6 +11,19 @@ class Theme;
 
 /// The height of a line of code, px.
 constexpr int codeRowPixels = 20;
+
+/// The margins of a view of code, px from its left edge. Line numbers are first.
+struct CodeMargins
+{
+    static constexpr int symbol = 30; ///< an arrow, a breakpoint or a sign
+    static constexpr int bar = 43;    ///< a bar in the colour of the effect, or of a changed line
+    static constexpr int barWidth = 3;
+    static constexpr int text = 53; ///< the code
+};
+
+/// Sets up what views of code have in common: margins, of which the first has `numbers`, keyboard focus, and styles that
+/// the program sets itself. The markers in `marginMarkers`, one bit each, are drawn in the other margins.
+void setUpCode(QsciScintilla &view, QsciScintilla::MarginType numbers, int marginMarkers);
 
 /// Returns `font` with the size that shows it `pixels` px high in `view`. Scintilla has no font sizes in pixels.
 QFont inPoints(const QsciScintilla &view, QFont font, double pixels);

@@ -1,15 +1,15 @@
 #include "app/ui/dialogs/caption.h"
 
+#include "app/ui/dock/panel_parts.h"
+
 #include <QLabel>
 
 namespace app {
 
 QLabel *makeCaption(const QString &text, QWidget *parent)
 {
-    auto *label = new QLabel(text, parent);
-    label->setObjectName("caption");
+    QLabel *label = makeTextLabel("caption", text, parent);
     label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
     return label;
 }
 

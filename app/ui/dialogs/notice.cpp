@@ -1,5 +1,6 @@
 #include "app/ui/dialogs/notice.h"
 
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/theme/icon_button.h"
 
 #include <QHBoxLayout>
@@ -64,9 +65,7 @@ void Notice::showChoices(const std::vector<Choice> &choices)
     delete m_choices;
     m_choices = new QWidget(this);
     m_row->insertWidget(1, m_choices);
-    auto *row = new QHBoxLayout(m_choices);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    QHBoxLayout *row = makeRow(m_choices, 8);
     for (const Choice &choice : choices) {
         auto *button = new QPushButton(choice.text, m_choices);
         button->setToolTip(choice.help);

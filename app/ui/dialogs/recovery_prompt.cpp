@@ -79,11 +79,10 @@ void RecoveryPrompt::askAbout(const RecoveredScene &scene)
 
 void RecoveryPrompt::askAboutAll(const std::vector<RecoveredScene> &scenes)
 {
-    const bool wasEnded =
-        std::any_of(scenes.begin(), scenes.end(), [](const RecoveredScene &one) { return one.wasEnded; });
+    // The latest comes first. Older ones can be left by a program that crashed before the last one closed normally.
     const QString sentence =
-        wasEnded ? tr("Springstep did not close normally. %1 unsaved scenes can be recovered.")
-                 : tr("%1 unsaved scenes can be recovered.");
+        scenes.front().wasEnded ? tr("Springstep did not close normally. %1 unsaved scenes can be recovered.")
+                                : tr("%1 unsaved scenes can be recovered.");
     m_notice.ask(sentence.arg(scenes.size()),
                  {{tr("Show them"), tr("Shows a list, from which each can be recovered or deleted"),
                    [this] { showList(); }}});

@@ -79,9 +79,7 @@ void DockFitter::bringBackWhatFits()
 {
     while (!m_aside.empty() && m_aside.back().least.width() <= m_window.width() &&
            m_aside.back().least.height() <= m_window.height()) {
-        const Aside last = m_aside.back();
-        m_aside.pop_back();
-        bringBack(last);
+        const Aside last = bringLastBack();
         // Raised later, because other layout changes bring their own tabs to the front meanwhile.
         QTimer::singleShot(0, this, [panels = last.panels] {
             for (QDockWidget *panel : panels)
@@ -164,14 +162,19 @@ void DockFitter::bringBack(const Aside &aside)
         panel->show();
 }
 
+DockFitter::Aside DockFitter::bringLastBack()
+{
+    const Aside last = std::move(m_aside.back());
+    m_aside.pop_back();
+    bringBack(last);
+    return last;
+}
+
 void DockFitter::bringAllBack()
 {
     takeRequested();
-    while (!m_aside.empty()) {
-        const Aside last = m_aside.back();
-        m_aside.pop_back();
-        bringBack(last);
-    }
+    while (!m_aside.empty())
+        bringLastBack();
 }
 
 }

@@ -56,6 +56,7 @@ private:
     /// Returns the hidden panels that the learner has shown again, and stops tracking them.
     std::vector<QDockWidget *> takeRequested();
     void bringBack(const Aside &aside);
+    Aside bringLastBack();
 
     QMainWindow &m_window;
     LearnPanel &m_learn;

@@ -1,5 +1,7 @@
 #include "app/ui/dock/live_panel.h"
 
+#include "app/ui/dock/panel_parts.h"
+
 namespace app {
 
 namespace {
@@ -10,8 +12,7 @@ constexpr int refreshMilliseconds = 100;
 
 LivePanel::LivePanel(QWidget *parent) : QWidget(parent)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_refreshTimer.setSingleShot(true);
     connect(&m_refreshTimer, &QTimer::timeout, this, &LivePanel::refreshNow);
 }

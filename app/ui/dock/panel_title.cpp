@@ -1,5 +1,7 @@
 #include "app/ui/dock/panel_title.h"
 
+#include "app/ui/dock/panel_parts.h"
+
 #include <QButtonGroup>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -121,9 +123,7 @@ QToolButton *makeTab(const QString &text, const QString &tip, QWidget *parent)
 
 QButtonGroup *makeTabs(std::initializer_list<Tab> tabs, QWidget *row)
 {
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
+    QHBoxLayout *layout = makeRow(row, 2);
     auto *group = new QButtonGroup(row);
     for (const Tab &tab : tabs) {
         QToolButton *button = makeTab(tab.text, tab.tip, row);

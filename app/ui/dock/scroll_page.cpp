@@ -1,5 +1,7 @@
 #include "app/ui/dock/scroll_page.h"
 
+#include "app/ui/dock/panel_parts.h"
+
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -18,21 +20,17 @@ QScrollArea *makeScrollArea(QWidget &panel)
 QWidget *makePage()
 {
     auto *page = new QWidget;
-    page->setObjectName("panel");
-    page->setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*page);
     return page;
 }
 
 void layOutPage(QWidget &panel, QWidget *text, QWidget *buttons)
 {
-    panel.setObjectName("panel");
-    panel.setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(panel);
     QScrollArea *area = makeScrollArea(panel);
     text->resize(area->size()); // or the area would compute a size at once, before it has one itself
     area->setWidget(text);
-    auto *column = new QVBoxLayout(&panel);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(&panel);
     column->addWidget(area, 1);
     column->addWidget(buttons);
 }

@@ -42,7 +42,7 @@ EnergyPanel::EnergyPanel(const OpenRun &run, Playback &playback, const Preview &
     m_pages->addWidget(m_reason);
     m_export = new PlotExport([this] { return m_plot->picture(); }, theme, this);
     m_export->setNumbersAsText(
-        [this] { return m_view == energy ? energyTable(m_series) : momentumTable(m_series); });
+        [this] { return view() == EnergyView::energy ? energyTable(m_series) : momentumTable(m_series); });
     m_export->addContextMenu(*m_plot);
     m_title->addAction(tabs());
     m_title->addAction(m_export->makeButton(this));
@@ -108,16 +108,20 @@ QWidget *EnergyPanel::tabs()
     m_tabs = makeTabs({{tr("Energy"), tr("Where energy is, and where it went")},
                        {tr("Momentum"), tr("Mass × velocity of everything together, and what changed it")}},
                       row);
-    connect(m_tabs, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<View>(id)); });
+    connect(m_tabs, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<EnergyView>(id)); });
     return row;
 }
 
-void EnergyPanel::setView(View view)
+void EnergyPanel::setView(EnergyView view)
 {
-    m_view = view;
-    m_tabs->button(view)->setChecked(true);
-    m_plot->setShows(view == energy ? EnergyPlot::Shows::energy : EnergyPlot::Shows::momentum);
+    m_tabs->button(static_cast<int>(view))->setChecked(true);
+    m_plot->setView(view);
     refreshNow();
+}
+
+EnergyView EnergyPanel::view() const
+{
+    return m_plot->view();
 }
 
 QString EnergyPanel::reason() const
@@ -133,7 +137,7 @@ const std::vector<EnergyLine> &EnergyPanel::lines() const
 QString EnergyPanel::unit() const
 {
     const bool turns = m_run.timeline().state().spin.rows() > 0;
-    return m_view == energy ? energyUnit(turns) : momentumUnit();
+    return view() == EnergyView::energy ? energyUnit(turns) : momentumUnit();
 }
 
 void EnergyPanel::setActive(bool isActive)
@@ -150,7 +154,7 @@ void EnergyPanel::showContents()
 {
     const std::optional<sim::NoEnergy> whyNot = m_series.whyNot();
     const bool turns = m_run.timeline().state().spin.rows() > 0;
-    const bool isAboutTurning = !whyNot && turns && m_view == momentum;
+    const bool isAboutTurning = !whyNot && turns && view() == EnergyView::momentum;
     m_pages->setCurrentWidget(whyNot || isAboutTurning ? m_reason : m_ledger);
     if (whyNot || isAboutTurning) {
         m_title->setCaption({});
@@ -184,7 +188,8 @@ void EnergyPanel::showLedger()
     m_title->setCaption(m_series.at(frame) ? tr("frame %1 to %2").arg(m_series.start()).arg(frame)
                                            : tr("counting…"));
     m_unit->setText(unit());
-    m_list->setLines(m_view == energy ? counted().energyAt(frame) : counted().momentumAt(frame), unit());
+    m_list->setLines(view() == EnergyView::energy ? counted().energyAt(frame) : counted().momentumAt(frame),
+                     unit());
     placeList();
 }
 

@@ -15,6 +15,7 @@ class EnergyList;
 class EnergyPlot;
 class PanelTitle;
 class PlotExport;
+enum class EnergyView;
 
 /// The panel of energy and momentum: a plot of the last frames, and the ledger at the cursor.
 class EnergyPanel : public LivePanel
@@ -25,9 +26,8 @@ public:
     EnergyPanel(const OpenRun &run, Playback &playback, const Preview &preview, const Theme &theme,
                 QWidget *parent = nullptr);
 
-    enum View { energy, momentum };
-    void setView(View view);
-    View view() const { return m_view; }
+    void setView(EnergyView view);
+    EnergyView view() const;
     /// Returns the text in place of a ledger; empty where there is one.
     QString reason() const;
     const std::vector<EnergyLine> &lines() const;
@@ -58,7 +58,6 @@ private:
     const Preview &m_preview;
     EnergySeries m_series;
     std::optional<EnergyLines> m_lines; ///< of the counted frames; kept because making them takes long
-    View m_view = energy;
     PanelTitle *m_title;
     QStackedWidget *m_pages;
     QWidget *m_ledger = nullptr;

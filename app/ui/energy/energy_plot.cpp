@@ -2,6 +2,7 @@
 
 #include "app/model/text/phrases.h"
 #include "app/ui/energy/energy_list.h"
+#include "app/ui/theme/colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,18 +35,18 @@ EnergyPlot::EnergyPlot(const OpenRun &run, Playback &playback, const EnergySerie
     applyTheme();
 }
 
-void EnergyPlot::setShows(Shows what)
+void EnergyPlot::setView(EnergyView view)
 {
-    m_shows = what;
-    setAccessibleName(what == Shows::energy ? tr("Energy over the last frames")
-                                            : tr("Momentum over the last frames"));
+    m_view = view;
+    setAccessibleName(view == EnergyView::energy ? tr("Energy over the last frames")
+                                                 : tr("Momentum over the last frames"));
     applyTheme();
 }
 
 void EnergyPlot::applyTheme()
 {
     CursorPlot::applyTheme();
-    if (m_shows == Shows::momentum) {
+    if (m_view == EnergyView::momentum) {
         for (QCPAxis *axis : {xAxis, yAxis})
             axis->grid()->setZeroLinePen(QPen(m_theme.tokens().line2, 1.0));
     }
@@ -54,7 +55,7 @@ void EnergyPlot::applyTheme()
     for (QCPItemText *name : m_names)
         removeItem(name);
     m_names.clear();
-    if (m_shows == Shows::energy)
+    if (m_view == EnergyView::energy)
         makeEnergyLines();
     else
         makeMomentumLines();
@@ -75,7 +76,7 @@ void EnergyPlot::makeEnergyLines()
     const QColor colors[levels] = {t.spring, t.gravity, t.ghost, t.damping, t.contact};
     for (int i = 0; i < levels; ++i) {
         const bool isLost = i > 2;
-        QCPGraph *level = line(curvePen(faint(colors[i], isLost ? lostEdge : 1.0, t.panel), 1.2));
+        QCPGraph *level = line(curvePen(mixed(t.panel, colors[i], isLost ? lostEdge : 1.0), 1.2));
         level->setBrush(faded(colors[i], isLost ? 90 : 205));
         if (i > 0)
             level->setChannelFillGraph(m_lines[static_cast<std::size_t>(i) - 1]);
@@ -171,7 +172,7 @@ void EnergyPlot::refresh(const EnergyLines &lines)
 {
     for (QCPGraph *graph : m_lines)
         graph->data()->clear();
-    const std::int64_t rows = m_series.framesPerOutput(), width = shownRows * rows;
+    const std::int64_t step = m_series.framesPerOutput(), width = mostOutputSteps * step;
     const std::int64_t at = cursorFrame();
     const std::int64_t right = std::min(m_series.last(), std::max(at, m_series.first() + width));
     const std::int64_t left = std::max(m_series.first(), right - width);
@@ -179,8 +180,8 @@ void EnergyPlot::refresh(const EnergyLines &lines)
     for (QCPItemText *name : m_names)
         name->setVisible(isCounted);
     if (isCounted) {
-        setTimeRange(static_cast<double>(left), static_cast<double>(std::max(right, left + 10 * rows)));
-        if (m_shows == Shows::energy)
+        setTimeRange(static_cast<double>(left), static_cast<double>(std::max(right, left + 10 * step)));
+        if (m_view == EnergyView::energy)
             drawEnergy(left, right, lines.lowest());
         else
             drawMomentum(left, right);
@@ -196,7 +197,7 @@ std::vector<QPointF> EnergyPlot::curvesAt(std::int64_t frame) const
     const auto x = static_cast<double>(frame);
     if (!balance || !xAxis->range().contains(x))
         return {};
-    if (m_shows == Shows::energy)
+    if (m_view == EnergyView::energy)
         return {onScreen({x, stackOf(*balance, m_lowest).tops[2]})};
     return {onScreen({x, balance->after.momentum.x}), onScreen({x, balance->after.momentum.y})};
 }
@@ -218,7 +219,7 @@ QString EnergyPlot::readout(std::int64_t frame) const
     const sim::Balance *balance = m_series.at(frame);
     if (!balance)
         return {};
-    if (m_shows == Shows::momentum)
+    if (m_view == EnergyView::momentum)
         return tr("%1 to the right, %2 down")
             .arg(energyNumber(balance->after.momentum.x), energyNumber(balance->after.momentum.y));
     return tr("%1 there, drift %2")
@@ -237,21 +238,23 @@ QString EnergyPlot::sentence() const
 
 QString EnergyPlot::unit() const
 {
-    return m_shows == Shows::energy ? energyUnit(m_run.timeline().state().spin.rows() > 0) : momentumUnit();
+    return m_view == EnergyView::energy ? energyUnit(m_run.timeline().state().spin.rows() > 0)
+                                        : momentumUnit();
 }
 
 PlotPicture EnergyPlot::picture()
 {
-    return pictureNamed(listed(title(), unit()), m_shows == Shows::energy ? tr("energy") : tr("momentum"));
+    return pictureNamed(listed(title(), unit()),
+                        m_view == EnergyView::energy ? tr("energy") : tr("momentum"));
 }
 
 std::optional<std::int64_t> EnergyPlot::frameAt(QPointF place) const
 {
-    const std::int64_t first = m_series.first(), rows = m_series.framesPerOutput();
+    const std::int64_t first = m_series.first(), step = m_series.framesPerOutput();
     if (m_series.last() < first)
         return std::nullopt;
-    const double row = std::round((timeAt(place) - static_cast<double>(first)) / static_cast<double>(rows));
-    return std::clamp(first + static_cast<std::int64_t>(row) * rows, first, m_series.last());
+    const double steps = std::round((timeAt(place) - static_cast<double>(first)) / static_cast<double>(step));
+    return std::clamp(first + static_cast<std::int64_t>(steps) * step, first, m_series.last());
 }
 
 }

@@ -5,6 +5,9 @@
 
 namespace app {
 
+/// The quantity that the panel of energy shows.
+enum class EnergyView { energy, momentum };
+
 /// Energy, or momentum, over the last frames. Energy is a stack: what there is, what was lost, and as a line what was
 /// there at the start and came in; the gap between stack and line is the drift. Momentum is two lines, to the right and
 /// down, each with its drift.
@@ -13,13 +16,13 @@ class EnergyPlot : public CursorPlot
     Q_OBJECT
 
 public:
-    enum class Shows { energy, momentum };
-    static constexpr std::int64_t shownRows = 240;
+    static constexpr std::int64_t mostOutputSteps = 240; ///< shown at once
 
     EnergyPlot(const OpenRun &run, Playback &playback, const EnergySeries &series, const Theme &theme,
                QWidget *parent = nullptr);
 
-    void setShows(Shows what);
+    void setView(EnergyView view);
+    EnergyView view() const { return m_view; }
     /// Draws what is counted now.
     void refresh(const EnergyLines &lines);
     std::optional<std::int64_t> frameAt(QPointF place) const override;
@@ -56,7 +59,7 @@ private:
     QString unit() const;
 
     const EnergySeries &m_series;
-    Shows m_shows = Shows::energy;
+    EnergyView m_view = EnergyView::energy;
     std::vector<QCPGraph *> m_lines;
     std::vector<QCPItemText *> m_names;
     double m_lowest = 0.0; ///< the zero of energy from height

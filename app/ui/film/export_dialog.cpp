@@ -79,6 +79,8 @@ QString ExportDialog::message() const
 void ExportDialog::setMessage(const QString &sentence)
 {
     m_message->setText(sentence);
+    if (const int needed = m_column->totalHeightForWidth(width()); needed > height())
+        resize(width(), needed); // a long message would squeeze the texts above it
 }
 
 void ExportDialog::clearMessage()

@@ -3,6 +3,7 @@
 #include "app/model/film/film_file.h"
 #include "app/model/text/quoting.h"
 #include "app/ui/dialogs/ask_file.h"
+#include "app/ui/dialogs/file_row.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -24,16 +25,13 @@ QString freeName(const QString &name, const QString &ending)
 
 }
 
-FilmName::FilmName(QWidget *parent) : QWidget(parent), m_field(new QLineEdit(this))
+FilmName::FilmName(QWidget *parent) : QWidget(parent)
 {
+    const auto [field, choose] = makeFileRow(tr("Where to save the film"), this);
+    m_field = field;
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
-    m_field->setAccessibleName(tr("File"));
-    m_field->setToolTip(tr("Where to save the film"));
-    auto *choose = new QPushButton(tr("&Choose…"), this);
-    choose->setToolTip(tr("Choose a folder and a name"));
-    choose->setAutoDefault(false);
     row->addWidget(m_field, 1);
     row->addWidget(choose);
     connect(choose, &QPushButton::clicked, this, &FilmName::choose);

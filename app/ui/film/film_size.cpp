@@ -1,5 +1,7 @@
 #include "app/ui/film/film_size.h"
 
+#include "app/ui/dock/panel_parts.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -44,9 +46,7 @@ FilmSize::FilmSize(const QWidget &scene, QWidget *parent)
     m_shape->setAccessibleName(tr("Shape"));
     m_shape->setToolTip(
         tr("The width of the pictures compared with their height; the height follows the width"));
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    QHBoxLayout *row = makeRow(this, 8);
     row->addWidget(m_width);
     row->addWidget(m_height);
     row->addSpacing(8);

@@ -2,6 +2,7 @@
 
 #include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 
 #include <QCoreApplication>
 #include <QGridLayout>
@@ -99,9 +100,7 @@ QWidget *AboutPage::head()
     licence->setTextInteractionFlags(Qt::TextBrowserInteraction);
     licence->setOpenExternalLinks(true);
     texts->addWidget(licence);
-    auto *row = new QHBoxLayout(head);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(20);
+    QHBoxLayout *row = makeRow(head, 20);
     row->addWidget(icon, 0, Qt::AlignTop);
     row->addLayout(texts, 1);
     return head;

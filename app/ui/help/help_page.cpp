@@ -18,10 +18,11 @@ namespace app {
 
 namespace {
 
-constexpr int columnWidth = 450; ///< px, so that a long gesture leaves room for its text
+constexpr int columnWidth = 412; ///< px
+constexpr int longGesture = 230; ///< px; a longer one is below its text
 constexpr int pageMargin = 24;
-constexpr int rowHeight = 28;
-constexpr int rowGap = 3; ///< px, above and below a text
+constexpr int rowHeight = 24;
+constexpr int rowGap = 1; ///< px, above and below a text
 constexpr int headHeight = 90;
 
 /// Makes a label. `name` is its object name in the style sheet.
@@ -55,7 +56,7 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
     m_row->setSpacing(2 * pageMargin);
     for (QVBoxLayout *&column : m_columns) {
         column = new QVBoxLayout;
-        column->setSpacing(20);
+        column->setSpacing(14);
         column->addStretch(1); // an alignment would ignore that wrapped texts need more height
         m_row->addLayout(column);
     }
@@ -117,12 +118,14 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
     what->setWordWrap(true);
     what->setMinimumHeight(rowHeight - 2 * rowGap);
     what->setAccessibleName(labelled(text, caps->accessibleName()));
-    auto *row =
-        new QHBoxLayout; // its own layout: a text beside many keys is narrower than one beside few keys
+    // Each row has its own layout: a text beside many keys is narrower than one beside few keys. Beside a long gesture it
+    // would be squashed.
+    const bool isBelow = caps->sizeHint().width() > longGesture;
+    auto *row = new QBoxLayout(isBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     row->setContentsMargins(0, rowGap, 0, rowGap);
-    row->setSpacing(16);
+    row->setSpacing(isBelow ? 0 : 16);
     row->addWidget(what, 1);
-    row->addWidget(caps, 0, Qt::AlignVCenter);
+    row->addWidget(caps, 0, isBelow ? Qt::AlignRight : Qt::AlignVCenter);
     to.column->addLayout(row);
 }
 
@@ -148,16 +151,16 @@ int HelpPage::fill(std::size_t columns)
 
 void HelpPage::fitTo(QSize screen)
 {
-    // The lengths of the groups are known only now. A third column is there if the page would scroll without
+    // The lengths of the groups are known only now. A further column is there if the page would scroll without
     // it.
     const QSize most = screen - QSize(80, 80);
-    const auto widthOf = [](int columns) { return columns * (columnWidth + 2 * pageMargin); };
-    int columns = 2;
-    int high = fill(2) * rowHeight + headHeight;
-    if (high > most.height() && widthOf(3) <= most.width()) {
-        columns = 3;
-        high = fill(3) * rowHeight + headHeight;
-    }
+    const auto widthOf = [](std::size_t columns) {
+        return static_cast<int>(columns) * (columnWidth + 2 * pageMargin);
+    };
+    std::size_t columns = 2;
+    int high = fill(columns) * rowHeight + headHeight;
+    while (high > most.height() && columns < m_columns.size() && widthOf(columns + 1) <= most.width())
+        high = fill(++columns) * rowHeight + headHeight;
     m_page->setMinimumHeight(0);
     resize(std::min(widthOf(columns), most.width()), std::min(high, most.height()));
 }

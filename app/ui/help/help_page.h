@@ -58,7 +58,7 @@ private:
     QWidget *m_page;
     QScrollArea *m_area = nullptr;
     QHBoxLayout *m_row = nullptr;           ///< of the columns
-    std::array<QVBoxLayout *, 3> m_columns; ///< each group goes into the shortest of those in use
+    std::array<QVBoxLayout *, 4> m_columns; ///< each group goes into the shortest of those in use
     std::vector<Group> m_groups;
 };
 

@@ -87,7 +87,6 @@ void Tour::makeButtons()
     row->addWidget(m_count);
     row->addStretch(1);
     for (QPushButton *button : {m_skip, m_back, m_next}) {
-        button->setAutoDefault(false);
         button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
     }

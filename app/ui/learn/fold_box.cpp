@@ -1,5 +1,6 @@
 #include "app/ui/learn/fold_box.h"
 
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/learn/narration_text.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -112,9 +113,7 @@ FoldBox::FoldBox(const QString &title, const Theme &theme, QWidget *parent)
     m_content->hide();
     m_column->setContentsMargins(foldedLeft, 2, 0, 6);
     m_column->setSpacing(2);
-    auto *all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
+    QVBoxLayout *all = makeColumn(this);
     all->addWidget(m_title);
     all->addWidget(m_content);
     connect(m_title, &QAbstractButton::toggled, this, [this](bool open) {

@@ -5,6 +5,7 @@
 #include "app/ui/actions/command.h"
 #include "app/ui/actions/command_button.h"
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/learn/after/recall_page.h"
 #include "app/ui/learn/after/summary_page.h"
@@ -47,8 +48,7 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
       m_unfold(makeIconButton("allLessons", "down", theme, m_title)), m_divider(divider(this)),
       m_card(new WordCard(m_glossary, theme, this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_map->hide(); // until it has a command
     m_title->addAction(m_map);
     m_title->addAction(m_unfold);

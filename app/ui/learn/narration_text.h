@@ -8,8 +8,7 @@ namespace app {
 
 class Glossary;
 
-/// A Markdown text that is as high as its content. It opens https links itself and emits asked() for all
-/// others.
+/// A Markdown text that is as high as its content. It opens https links itself, and emits linkActivated() for others.
 class NarrationText : public QTextBrowser
 {
     Q_OBJECT

@@ -17,7 +17,6 @@ StepButton::StepButton(QWidget *parent) : QPushButton(parent)
 {
     setLayoutDirection(Qt::RightToLeft); // puts the icon after the text
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setAutoDefault(false);
     setFocusPolicy(Qt::TabFocus);
     setIconSize({16, 16});
     setPrimary(false);

@@ -10,7 +10,6 @@ StepButtons::StepButtons(const Theme &theme, QWidget *parent)
     : QWidget(parent), m_back(new QPushButton(this)), m_next(new StepButton(this))
 {
     m_back->setObjectName("back");
-    m_back->setAutoDefault(false);
     m_back->setFixedSize(36, 32);
     m_back->setIconSize({16, 16});
     m_back->setFocusPolicy(Qt::TabFocus);

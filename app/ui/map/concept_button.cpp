@@ -1,6 +1,7 @@
 #include "app/ui/map/concept_button.h"
 
 #include "app/ui/learn/prose.h"
+#include "app/ui/theme/focus_ring.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -151,8 +152,7 @@ void ConceptButton::focusInEvent(QFocusEvent *event)
 {
     QPushButton::focusInEvent(event);
     // The page gives the focus to one concept when it opens; that does not point at it.
-    const Qt::FocusReason reason = event->reason();
-    if (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason || reason == Qt::ShortcutFocusReason)
+    if (isByKeyboard(event->reason()))
         emit pointed(true);
 }
 

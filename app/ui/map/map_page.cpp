@@ -1,5 +1,6 @@
 #include "app/ui/map/map_page.h"
 
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/step_button.h"
 #include "app/ui/map/concept_button.h"
@@ -61,8 +62,7 @@ MapPage::MapPage(Session &session, const Theme &theme, QWidget *parent)
       m_view(new ConceptView(theme))
 {
     setWindowTitle(tr("Map of concepts"));
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     setModal(false);
     auto *title = new QLabel(tr("What rests on what"), this);
     title->setObjectName("stepTitle");
@@ -78,8 +78,7 @@ MapPage::MapPage(Session &session, const Theme &theme, QWidget *parent)
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
-    m_view->setObjectName("panel");
-    m_view->setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*m_view);
     area->setWidget(m_view);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(mapMargin, 16, mapMargin, 16);
@@ -108,9 +107,7 @@ bool MapPage::hasConcepts(const LessonLibrary &library)
 QWidget *MapPage::makeLegend()
 {
     auto *legend = new QWidget(this);
-    auto *row = new QHBoxLayout(legend);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    QHBoxLayout *row = makeRow(legend, 6);
     const std::pair<ConceptState, QString> entries[] = {{ConceptState::known, tr("You know it")},
                                                         {ConceptState::next, tr("Can come next")},
                                                         {ConceptState::later, tr("For later")}};

@@ -8,6 +8,7 @@
 #include "app/ui/dialogs/ask_file.h"
 #include "app/ui/dialogs/caption.h"
 #include "app/ui/dialogs/dialog_place.h"
+#include "app/ui/dialogs/file_row.h"
 #include "app/ui/notebook/entry_picture.h"
 
 #include <QApplication>
@@ -135,14 +136,9 @@ void HandInDialog::addFiles(QVBoxLayout &column)
                  column);
     m_pdf = box("handInPdf", tr("&PDF (.pdf)"), tr("The same on paper"), column);
     m_notebook->setChecked(true);
-    m_file = new QLineEdit(this);
+    const auto [field, choose] = makeFileRow(tr("Where to write, without an ending"), this);
+    m_file = field;
     m_file->setObjectName("handInFile");
-    m_file->setAccessibleName(tr("File"));
-    m_file->setToolTip(tr("Where to write, without an ending"));
-    auto *choose = new QPushButton(tr("&Choose…"), this);
-    choose->setObjectName("handInChoose");
-    choose->setToolTip(tr("Choose a folder and a name"));
-    choose->setAutoDefault(false);
     QHBoxLayout *row = fieldRow(tr("F&ile"), *m_file);
     row->addWidget(choose);
     column.addLayout(row);

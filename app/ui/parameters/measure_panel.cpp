@@ -1,5 +1,6 @@
 #include "app/ui/parameters/measure_panel.h"
 
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/parameters/measure_row.h"
 
@@ -17,8 +18,7 @@ MeasurePanel::MeasurePanel(const OpenRun &run, const Playback &playback, const P
                            const MeasureSeries &series, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_run(run), m_preview(preview), m_series(series), m_theme(theme), m_pace(playback)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     auto *title = new PanelTitle(tr("Measured"), theme, this);
     title->setCaption(tr("at the cursor"));
     auto *column = new QVBoxLayout(this);

@@ -17,7 +17,7 @@ namespace {
 constexpr int margin = 16;
 constexpr int nameWidth = 148; ///< px: "Quantité de mouvement" fits
 constexpr int numberWidth = 64;
-constexpr std::int64_t leastRows = 60;
+constexpr std::int64_t leastOutputSteps = 60;
 constexpr int measureUnitWidth = 90; ///< px: "por fotograma" and "px/fotograma²" fit
 
 /// The range of values of a time series.
@@ -88,14 +88,14 @@ void MeasureRow::refresh()
 void MeasureRow::paintSeries(QPainter &painter, const QRectF &area) const
 {
     const std::int64_t at = m_run.timeline().cursor().frame;
-    const std::int64_t row = m_series.framesPerOutput();
+    const std::int64_t step = m_series.framesPerOutput();
     // The cursor stays at the right end while the run grows, and moves into the plot when the learner goes
     // back.
-    const std::int64_t end = std::clamp(at + shownRows / 4 * row, std::int64_t{0},
+    const std::int64_t end = std::clamp(at + mostOutputSteps / 4 * step, std::int64_t{0},
                                         std::max<std::int64_t>(m_series.isEmpty() ? 0 : m_series.last(), at));
-    const std::int64_t start = std::max<std::int64_t>(0, end - shownRows * row);
+    const std::int64_t start = std::max<std::int64_t>(0, end - mostOutputSteps * step);
     Span span;
-    for (std::int64_t frame = start; frame <= end; frame += row) {
+    for (std::int64_t frame = start; frame <= end; frame += step) {
         const double value = valueAt(frame);
         if (std::isfinite(value))
             span.take(value);
@@ -103,7 +103,8 @@ void MeasureRow::paintSeries(QPainter &painter, const QRectF &area) const
     if (span.high - span.low < 1e-12)
         span.high = span.low + 1.0;
     // A short run also fills the width.
-    const std::int64_t shown = std::clamp<std::int64_t>(end - start, leastRows * row, shownRows * row);
+    const std::int64_t shown =
+        std::clamp<std::int64_t>(end - start, leastOutputSteps * step, mostOutputSteps * step);
     const auto xOf = [&](std::int64_t frame) {
         return area.left() + area.width() * double(frame - start) / double(shown);
     };
@@ -114,7 +115,7 @@ void MeasureRow::paintSeries(QPainter &painter, const QRectF &area) const
     painter.drawLine(QPointF(area.left(), yOf(0.0)), QPointF(area.right(), yOf(0.0)));
     QPainterPath path;
     bool open = false;
-    for (std::int64_t frame = start; frame <= end; frame += row) {
+    for (std::int64_t frame = start; frame <= end; frame += step) {
         const double value = valueAt(frame);
         const bool isThere = std::isfinite(value);
         if (isThere && open)

@@ -15,7 +15,7 @@ class MeasureRow : public QWidget
 
 public:
     static constexpr int height = 34;
-    static constexpr int shownRows = 240; ///< at most, of the time series
+    static constexpr int mostOutputSteps = 240; ///< at most, of the time series
 
     /// `index` is the index of the measure in the step.
     MeasureRow(const OpenRun &run, const Preview &preview, const MeasureSeries &series, std::size_t index,

@@ -226,6 +226,10 @@ bool NumberBox::eventFilter(QObject *watched, QEvent *event)
         if (!rect().contains(mapFromGlobal(place).toPoint()))
             takeTyped();
     }
+    if (watched == lineEdit() && event->type() == QEvent::MouseButtonDblClick) {
+        selectAll(); // a line edit would select the digits on one side of the point
+        return true;
+    }
     if (watched == lineEdit() && event->type() == QEvent::MouseButtonPress) {
         const bool isUntouched = !lineEdit()->isModified() && !lineEdit()->hasSelectedText();
         if (std::exchange(m_isFresh, false) || isUntouched)

@@ -2,6 +2,7 @@
 
 #include "app/model/session/offered_parameters.h"
 #include "app/model/text/sentences.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/scroll_page.h"
 #include "app/ui/parameters/parameter_row.h"
@@ -29,8 +30,7 @@ ParameterPanel::ParameterPanel(const OpenRun &run, RunEditor &editor, const Play
                                const Theme &theme, QWidget *parent)
     : QWidget(parent), m_run(run), m_editor(editor), m_theme(theme), m_pace(playback)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_area = makeScrollArea(*this);
     QWidget *page = makePage();
     m_column = new QVBoxLayout(page);
@@ -38,9 +38,7 @@ ParameterPanel::ParameterPanel(const OpenRun &run, RunEditor &editor, const Play
     m_column->setSpacing(0);
     m_area->setWidget(page);
     makeDisclosure();
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(this);
     column->addWidget(makeTitle());
     column->addWidget(m_area, 1);
     m_run.onChange(everyChange, this, &ParameterPanel::follow);

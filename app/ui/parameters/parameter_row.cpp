@@ -1,6 +1,7 @@
 #include "app/ui/parameters/parameter_row.h"
 
 #include "app/model/text/numbers.h"
+#include "app/ui/dock/panel_parts.h"
 #include "sim/run/script/composed_interval.h"
 
 #include "app/ui/parameters/grouped_choice.h"
@@ -66,9 +67,7 @@ void ParameterRow::makeLabel()
     m_symbol = new QLabel(m_parameter.symbol, m_label);
     m_symbol->setObjectName("symbol");
     m_symbol->setFont(m_theme.mono(12));
-    auto *row = new QHBoxLayout(m_label);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    QHBoxLayout *row = makeRow(m_label, 6);
     row->addWidget(m_name);
     row->addWidget(m_symbol);
     row->addStretch(1);
@@ -199,14 +198,14 @@ QString ParameterRow::rangeText() const
 
 void ParameterRow::choose(double value)
 {
-    if (value < m_parameter.min || value > m_parameter.max) {
+    m_editor.setParameter(m_parameter.id, value);
+    if (!m_slider || !m_slider->isSliderDown())
+        m_editor.endGesture();
+    if (value < m_parameter.min || value > m_parameter.max) { // after the change, which clears the status bar
         m_run.showMessage(
             tr("%1 can be %2 to %3.")
                 .arg(m_parameter.name, writtenNumber(m_parameter.min, 0), writtenNumber(m_parameter.max, 0)));
     }
-    m_editor.setParameter(m_parameter.id, value);
-    if (!m_slider || !m_slider->isSliderDown())
-        m_editor.endGesture();
     refresh(); // also if nothing changed, because the typed value may have been clamped
 }
 

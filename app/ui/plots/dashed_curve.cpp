@@ -1,32 +1,14 @@
 #include "app/ui/plots/dashed_curve.h"
 
 #include "app/ui/plots/plot.h"
+#include "app/ui/scene/drawing/line_clip.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 namespace app {
 
 namespace {
-
-/// Returns where a line enters and leaves `seen`, as shares of its length (Liang and Barsky); nothing if it is outside.
-std::optional<std::pair<double, double>> partWithin(const QRectF &seen, QPointF from, QPointF to)
-{
-    double start = 0.0, end = 1.0;
-    const auto cut = [&](double at, double way, double low, double high) {
-        if (way == 0.0)
-            return at >= low && at <= high;
-        const auto [in, out] = std::minmax({(low - at) / way, (high - at) / way});
-        start = std::max(start, in);
-        end = std::min(end, out);
-        return start < end;
-    };
-    const bool isSeen = cut(from.x(), to.x() - from.x(), seen.left(), seen.right()) &&
-                        cut(from.y(), to.y() - from.y(), seen.top(), seen.bottom());
-    return isSeen ? std::optional(std::pair(start, end)) : std::nullopt;
-}
 
 /// Draws dashes in place of the line of `painter`'s pen. Returns whether that is possible.
 bool drawDashes(QCPPainter &painter, const QVector<QPointF> &lines, const QRectF &seen)

@@ -1,5 +1,7 @@
 #include "app/ui/plots/plot.h"
 
+#include "app/ui/theme/focus_ring.h"
+
 #include <QAccessible>
 #include <QAccessibleWidget>
 
@@ -136,8 +138,7 @@ void Plot::paintEvent(QPaintEvent *event)
 
 void Plot::focusInEvent(QFocusEvent *event)
 {
-    m_hasFocusRing = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-                     event->reason() == Qt::ShortcutFocusReason;
+    m_hasFocusRing = isByKeyboard(event->reason());
     QCustomPlot::focusInEvent(event);
     update();
 }
@@ -157,15 +158,6 @@ bool isPlainKey(const QKeyEvent &event, Qt::KeyboardModifiers allowed)
 QPen curvePen(const QColor &ink, double width)
 {
     return {ink, width, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin};
-}
-
-QColor faint(const QColor &ink, double share, const QColor &ground)
-{
-    const auto mixed = [share](float over, float under) {
-        return static_cast<float>(share) * over + static_cast<float>(1.0 - share) * under;
-    };
-    return QColor::fromRgbF(mixed(ink.redF(), ground.redF()), mixed(ink.greenF(), ground.greenF()),
-                            mixed(ink.blueF(), ground.blueF()));
 }
 
 bool isFinite(QPointF place)

@@ -66,9 +66,6 @@ bool isPlainKey(const QKeyEvent &event, Qt::KeyboardModifiers allowed = Qt::NoMo
 /// Returns a pen for curves, which are drawn line by line: its ends leave no gap between two lines. `ink` must be
 /// opaque, otherwise the places where lines meet would show.
 QPen curvePen(const QColor &ink, double width);
-/// Returns the opaque colour that `share` of `ink` over `ground` looks like.
-QColor faint(const QColor &ink, double share, const QColor &ground);
-
 /// Returns whether both coordinates are finite.
 bool isFinite(QPointF place);
 

@@ -2,9 +2,9 @@
 
 #include "app/model/text/quantity_text.h"
 #include "app/model/text/sentences.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/plot_value.h"
-#include "app/ui/plots/quantity_menu.h"
 #include "app/ui/scene/flat_button.h"
 #include "app/ui/theme/icon_button.h"
 
@@ -31,12 +31,9 @@ PlotCard::PlotCard(const OpenRun &run, Playback &playback, const ComparisonRuns 
       m_theme(theme), m_plot(new QuantityPlot(run, playback, series, theme, this)),
       m_export(new PlotExport([this] { return m_plot->picture(); }, theme, this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_export->setNumbers([this] { return numbers(); });
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(this);
     column->addWidget(header());
     column->addWidget(m_plot, 1);
     connect(m_plot, &QuantityPlot::pointedAt, this, &PlotCard::pointedAt);
@@ -44,8 +41,15 @@ PlotCard::PlotCard(const OpenRun &run, Playback &playback, const ComparisonRuns 
     connect(m_plot, &QuantityPlot::removalWanted, this, &PlotCard::removalWanted);
 }
 
-FlatButton *PlotCard::chooser(QuantityMenu *menu, const QString &tip)
+FlatButton *PlotCard::chooser(QuantityMenu::Axis axis, Quantity PlotSpec::*quantity, const QString &tip)
 {
+    auto *menu = new QuantityMenu(
+        m_run, axis, [this, quantity] { return spec().*quantity; }, this);
+    connect(menu, &QuantityMenu::chosen, this, [this, quantity](const Quantity &chosen) {
+        PlotSpec wanted = spec();
+        wanted.*quantity = chosen;
+        emit changeWanted(wanted);
+    });
     auto *button = new FlatButton(m_theme, this);
     button->setMenu(menu);
     button->setToolTip(tip);
@@ -56,14 +60,9 @@ QWidget *PlotCard::header()
 {
     auto *row = new QWidget(this);
     row->setFixedHeight(headerHeight);
-    auto *up = new QuantityMenu(
-        m_run, QuantityMenu::Axis::up, [this] { return spec().up; }, this);
-    auto *across = new QuantityMenu(
-        m_run, QuantityMenu::Axis::across, [this] { return spec().across; }, this);
-    connect(up, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, true); });
-    connect(across, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, false); });
-    m_up = chooser(up, tr("Plotted quantity"));
-    m_across = chooser(across, tr("The other axis: time, or another quantity"));
+    m_up = chooser(QuantityMenu::Axis::up, &PlotSpec::up, tr("Plotted quantity"));
+    m_across = chooser(QuantityMenu::Axis::across, &PlotSpec::across,
+                       tr("The other axis: time, or another quantity"));
     m_value = new PlotValue(m_theme, row);
     m_more = makeIconButton("plotMenu", "more", m_theme, row);
     m_more->setToolTip(tr("Save, copy, keep or remove this plot"));
@@ -120,13 +119,6 @@ void PlotCard::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     fitHeader();
-}
-
-void PlotCard::choose(const Quantity &quantity, bool isUp)
-{
-    PlotSpec wanted = spec();
-    (isUp ? wanted.up : wanted.across) = quantity;
-    emit changeWanted(wanted);
 }
 
 QMenu *PlotCard::menu()

@@ -2,6 +2,7 @@
 
 #include "app/ui/dock/number_pace.h"
 #include "app/ui/plots/plot_export.h"
+#include "app/ui/plots/quantity_menu.h"
 #include "app/ui/plots/quantity_plot.h"
 
 #include <QWidget>
@@ -12,7 +13,6 @@ namespace app {
 
 class FlatButton;
 class PlotValue;
-class QuantityMenu;
 
 /// A plot with its header: the quantities as menus, the number at the cursor, and a menu of commands.
 class PlotCard : public QWidget
@@ -44,11 +44,11 @@ protected:
 
 private:
     QWidget *header();
-    FlatButton *chooser(QuantityMenu *menu, const QString &tip);
+    /// Returns a button with a menu that chooses the quantity of an axis.
+    FlatButton *chooser(QuantityMenu::Axis axis, Quantity PlotSpec::*quantity, const QString &tip);
     void fitHeader();
     void writeHeader();
     void openMenu(const QPoint &place);
-    void choose(const Quantity &quantity, bool isUp);
     std::optional<NumberSheet> numbers() const;
 
     const OpenRun &m_run;

@@ -4,6 +4,7 @@
 #include "app/model/session/playback.h"
 #include "app/model/session/preview.h"
 #include "app/model/text/quantity_text.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/progress_line.h"
 #include "app/ui/dock/scroll_page.h"
@@ -46,9 +47,7 @@ PlotsPanel::PlotsPanel(const OpenRun &run, Playback &playback, const Preview &pr
     m_title->addAction(m_add);
     m_scroll = makeScrollArea(*m_pages);
     QWidget *inside = makePage();
-    m_column = new QVBoxLayout(inside);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(0);
+    m_column = makeColumn(inside);
     m_scroll->setWidget(inside);
     m_pages->addWidget(m_scroll);
     m_pages->addWidget(emptyPage());
@@ -73,10 +72,10 @@ PlotsPanel::PlotsPanel(const OpenRun &run, Playback &playback, const Preview &pr
 
 QWidget *PlotsPanel::emptyPage()
 {
-    auto *text = new QLabel(tr("There is no plot yet. <b>Add</b>, above, has curves to start with: the "
-                               "position of a body, its speed, or one quantity against another."),
-                            m_pages);
-    text->setWordWrap(true);
+    QLabel *text = makeTextLabel({},
+                                 tr("There is no plot yet. <b>Add</b>, above, has curves to start with: the "
+                                    "position of a body, its speed, or one quantity against another."),
+                                 m_pages);
     text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     text->setContentsMargins(16, 4, 16, 8);
     return text;
@@ -147,7 +146,6 @@ QWidget *PlotsPanel::saving()
     m_progress = new ProgressLine(tr("Progress of saving"), m_saving);
     auto *stop = new QPushButton(tr("Cancel"), m_saving);
     stop->setObjectName("measure");
-    stop->setAutoDefault(false);
     stop->setFocusPolicy(Qt::TabFocus);
     stop->setToolTip(tr("Cancel; nothing is saved then"));
     connect(stop, &QPushButton::clicked, this, [this] {
@@ -302,14 +300,14 @@ void PlotsPanel::setPointedBody(const QString &body)
 
 void PlotsPanel::zoom(int steps)
 {
-    std::int64_t rows = m_series.mostSteps();
+    std::int64_t most = m_series.mostSteps();
     const std::int64_t shown =
         (m_series.window().last - m_series.window().first) / std::max(1, m_series.framesPerOutput());
     if (steps > 0)
-        rows = std::min(rows, shown) >> steps; // from the frames shown: a short run has fewer than the limit
+        most = std::min(most, shown) >> steps; // from the frames shown: a short run has fewer than the limit
     else
-        rows = std::min(rows << -steps, PlotSeries::allSteps);
-    m_series.setMostSteps(rows);
+        most = std::min(most << -steps, PlotSeries::allSteps);
+    m_series.setMostSteps(most);
 }
 
 NumberTable *PlotsPanel::table() const

@@ -3,6 +3,7 @@
 #include "app/model/text/phrases.h"
 #include "app/model/text/quantity_text.h"
 #include "app/ui/plots/dashed_curve.h"
+#include "app/ui/theme/colors.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ void QuantityPlot::setPens()
     const Tokens &t = m_theme.tokens();
     const double width = m_isThick ? thickWidth : curveWidth;
     setPen(m_past, curvePen(t.body, width));
-    setPen(m_future, curvePen(faint(t.body, paleFuture, t.panel), width));
+    setPen(m_future, curvePen(mixed(t.panel, t.body, paleFuture), width));
     setPen(m_comparison, dashedPen(t.ghost, comparisonWidth, dash));
 }
 
@@ -342,10 +343,11 @@ std::optional<std::int64_t> QuantityPlot::frameAt(QPointF where) const
                    ? std::optional(run.frameOf(bucket))
                    : std::nullopt;
     }
-    const auto rows = static_cast<double>(m_series.framesPerOutput() * run.stride());
+    const auto framesPerBucket = static_cast<double>(m_series.framesPerOutput() * run.stride());
     const double frame = xAxis->pixelToCoord(where.x());
     const double first = static_cast<double>(run.firstFrame());
-    const auto bucket = static_cast<std::int64_t>(std::lround(std::max(0.0, (frame - first) / rows)));
+    const auto bucket =
+        static_cast<std::int64_t>(std::lround(std::max(0.0, (frame - first) / framesPerBucket)));
     return run.frameOf(
         static_cast<std::size_t>(std::min<std::int64_t>(bucket, static_cast<std::int64_t>(run.size()) - 1)));
 }

@@ -5,6 +5,7 @@
 #include "app/ui/actions/commands.h"
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/after/project_box.h"
@@ -70,8 +71,7 @@ BuildPanel::BuildPanel(const OpenRun &run, RunEditor &changes, Playback &playbac
       m_guideBox(new GuideBox(guide, this)), m_ring(new GuideRing(theme)),
       m_gallery(new ExampleGallery(run, changes, theme, this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 0);
     column->setSpacing(0);
@@ -133,8 +133,7 @@ QWidget *BuildPanel::page(const Command &restart)
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(0);
     column->setSizeConstraint(QLayout::SetMinimumSize); // the page scrolls instead of squeezing its rows
-    m_hint = new QLabel(content);
-    m_hint->setWordWrap(true);
+    m_hint = makeTextLabel({}, {}, content);
     m_hint->setContentsMargins(sideMargin, 10, sideMargin, 6);
     m_away = new QWidget(content);
     auto *start = new QPushButton(tr("Go to the start"), m_away);
@@ -429,11 +428,9 @@ void BuildPanel::makeRows(std::vector<SandboxProperty> properties)
 
 void BuildPanel::makeGaitHelp()
 {
-    auto *said =
-        new QLabel(tr("On the ground, Swing makes it walk. Opposite feet need opposite angles: 0° and 180°."),
-                   m_properties);
-    said->setObjectName("caption");
-    said->setWordWrap(true);
+    QLabel *said = makeTextLabel(
+        "caption", tr("On the ground, Swing makes it walk. Opposite feet need opposite angles: 0° and 180°."),
+        m_properties);
     said->setContentsMargins(sideMargin, 6, sideMargin, 2);
     m_column->addWidget(said);
     auto *box = new QWidget(m_properties);

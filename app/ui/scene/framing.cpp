@@ -24,6 +24,7 @@ constexpr double largestRoom = 1.5;       ///< the largest first zoom of a room 
 constexpr double largestWalk = 1.8;       ///< the largest first zoom of a walking creature
 constexpr QSizeF usualView{680.0, 520.0}; ///< px; larger views allow a larger zoom
 constexpr double motionShare = 0.5; ///< how far motion may extend a step's area on each side, as a fraction
+constexpr double flyingOff = 4.0;   ///< motion this much larger than the area leaves any view
 
 QRectF around(QPointF centre, double half)
 {
@@ -86,10 +87,12 @@ QRectF restArea(const Picture &picture, const SceneContent &companion)
     return isSmall ? area : view.stage.united(area);
 }
 
-/// Returns `area` with the part of `motion` near it. Bodies that fly far away would otherwise make everything
-/// tiny.
+/// Returns `area` with the part of `motion` near it, or `area` alone if bodies fly off. They would otherwise make
+/// everything tiny.
 QRectF withMotion(const QRectF &area, const QRectF &motion)
 {
+    if (motion.width() > flyingOff * area.width() || motion.height() > flyingOff * area.height())
+        return area;
     const double across = motionShare * area.width(), down = motionShare * area.height();
     return area.united(motion.intersected(area.adjusted(-across, -down, across, down)));
 }

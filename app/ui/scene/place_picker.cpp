@@ -2,11 +2,14 @@
 
 #include "app/model/text/numbers.h"
 #include "app/ui/scene/arrow_key.h"
+#include "app/ui/scene/drawing/line_clip.h"
 #include "app/ui/scene/hud/free_area.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLineF>
+
+#include <utility>
 
 namespace app {
 
@@ -84,7 +87,8 @@ void PlacePicker::press(const QKeyEvent &key)
     }
 }
 
-void PlacePicker::draw(const Canvas &canvas, const LabelPlaces &places) const
+void PlacePicker::draw(const Canvas &canvas, const LabelPlaces &places,
+                       const std::vector<QRectF> &texts) const
 {
     const std::optional<PredictionDesk::PlaceMark> mark = m_desk ? m_desk->mark() : std::nullopt;
     if (!mark)
@@ -96,13 +100,34 @@ void PlacePicker::draw(const Canvas &canvas, const LabelPlaces &places) const
         return;
     }
     const QPointF found = canvas.camera.at(*mark->found);
-    withHalo(canvas, t.ink2, [&] { canvas.painter.drawLine(said, found); });
+    for (const QLineF &line : predictionLines(*mark, canvas.camera, texts))
+        withHalo(canvas, t.ink2, [&] { canvas.painter.drawLine(line); });
     drawCross(canvas, said, t.link);
     withHalo(canvas, t.ok, [&] { canvas.painter.drawEllipse(found, markRing, markRing); });
     const OverlayLabel label =
         predictionLabel(*mark, canvas.camera, freeArea(canvas.shown, canvas.area), places, canvas.shown.text);
     const QPointF down(0.0, QFontMetricsF(canvas.shown.text).ascent());
     drawWords(canvas, {label.box.topLeft() + down, label.text, canvas.shown.text, t.ink});
+}
+
+std::vector<QLineF> predictionLines(const PredictionDesk::PlaceMark &mark, const Camera &camera,
+                                    const std::vector<QRectF> &texts)
+{
+    std::vector<QLineF> lines{{camera.at(mark.said), camera.at(*mark.found)}};
+    for (const QRectF &text : texts) {
+        const QRectF box = text.adjusted(-markHalo, -markHalo, markHalo, markHalo);
+        std::vector<QLineF> outside;
+        for (const QLineF &line : lines) {
+            const auto part = text.isEmpty() ? std::nullopt : partWithin(box, line.p1(), line.p2());
+            const auto [from, to] = part.value_or(std::pair(1.0, 1.0));
+            if (from > 0.0)
+                outside.emplace_back(line.p1(), line.pointAt(from));
+            if (to < 1.0)
+                outside.emplace_back(line.pointAt(to), line.p2());
+        }
+        lines = std::move(outside);
+    }
+    return lines;
 }
 
 OverlayLabel predictionLabel(const PredictionDesk::PlaceMark &mark, const Camera &camera, const QRectF &area,

@@ -27,14 +27,19 @@ public:
 
     /// Returns whether there is a predicted place to draw.
     bool isMarked() const { return m_desk && m_desk->mark(); }
-    /// Draws the predicted place and, after the run, the true one and the distance, in one of `places`.
-    void draw(const Canvas &canvas, const LabelPlaces &places) const;
+    /// Draws the predicted place and, after the run, the true one and the distance, in one of `places`. The line between
+    /// the two places leaves `texts` free.
+    void draw(const Canvas &canvas, const LabelPlaces &places, const std::vector<QRectF> &texts) const;
     /// Returns what draw() shows, in words for screen readers; may be empty.
     QString words() const;
 
 private:
     PredictionDesk *m_desk = nullptr;
 };
+
+/// Returns the line from a predicted place to the true one, screen px, with a gap at each of the boxes `texts`.
+std::vector<QLineF> predictionLines(const PredictionDesk::PlaceMark &mark, const Camera &camera,
+                                    const std::vector<QRectF> &texts);
 
 /// Returns the label beside a predicted place whose true place is known. It is in one of `places`, within `area`, and also
 /// avoids the marks of the two places. `font` is that of labels.

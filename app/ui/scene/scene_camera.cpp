@@ -7,6 +7,7 @@
 
 #include "app/model/picture/motion_area.h"
 #include "app/ui/scene/framing.h"
+#include "app/ui/scene/hud/free_area.h"
 #include "app/ui/scene/layers/layers.h"
 #include "app/ui/scene/scene_view.h"
 #include "sim/run/script/composed_interval.h"
@@ -29,6 +30,7 @@ constexpr double walkerFrom = 0.4;
 constexpr double walkerTo = 0.5;
 constexpr double mostWidened = 4.0;    ///< the view zooms out by itself by at most this factor
 constexpr double inSightBorder = 16.0; ///< screen px; anything closer to the edge does not count as visible
+constexpr double legendBorder = 52.0;  ///< screen px below the bodies, for two lines of the legend
 constexpr double nearer = 1.3;         ///< a close-up must enlarge by at least this factor to be worth a jump
 constexpr std::int64_t mostMeasured = 200;       ///< frames from the start whose motion is measured, at most
 constexpr std::int64_t measuredPoints = 200'000; ///< points times frames, if that is less
@@ -54,6 +56,31 @@ QRectF boxWithin(const SceneContent &shown, const QRectF &area)
             box |= body;
     }
     return box;
+}
+
+/// Returns the box of the crosses of `picture`, such as the target of a motor.
+QRectF boxOfCrosses(const Picture &picture)
+{
+    QRectF box;
+    for (const lessons::Overlay &overlay : picture.overlays) {
+        if (overlay.shape == lessons::Overlay::Shape::cross)
+            box |= QRectF(overlay.a.x, overlay.a.y, 0.0, 0.0).adjusted(-1.0, -1.0, 1.0, 1.0);
+    }
+    return box;
+}
+
+/// Returns the part of `view`, screen px, in which the text at the top and the legend cover no body. In a small view,
+/// which they would fill, it is the view within its border.
+QRectF uncovered(const SceneContent &shown, QRectF view)
+{
+    const QRectF all = view.adjusted(frameBorder, frameBorder, -frameBorder, -frameBorder);
+    QRectF clear = all;
+    clear.setTop(std::max(all.top(), freeArea(shown, view).top()));
+    const bool isPaper =
+        shown.view().sky == lessons::View::Sky::paper && !shown.view().room && !shown.view().ground;
+    if (isPaper) // elsewhere the legend is below the floor
+        clear.setBottom(view.bottom() - legendBorder);
+    return clear.height() < view.height() / 2.0 ? all : clear;
 }
 
 bool isNowhere(const QRectF &box)
@@ -306,10 +333,15 @@ void SceneView::bringSubjectBack()
 
 void SceneView::widen()
 {
-    const QRectF inside = viewRect().adjusted(frameBorder, frameBorder, -frameBorder, -frameBorder);
+    QRectF inside = viewRect().adjusted(frameBorder, frameBorder, -frameBorder, -frameBorder);
     if (inside.isEmpty())
         return;
+    const QRectF clear = uncovered(m_shown, viewRect());
+    if (m_narrow)
+        inside = clear;
     QRectF box = subject();
+    if (m_session.preview().run().cursor() == sim::Cursor{} && !m_tools.isPointing())
+        box |= boxOfCrosses(m_shown.picture); // a run begins with all of its marks in view
     if (m_shown.view().followedPoint >= 0 &&
         // The followed point may be left of the centre, with bodies on either side.
         m_follows) {
@@ -317,23 +349,30 @@ void SceneView::widen()
         const double side = std::max(x - box.left(), box.right() - x) / (2.0 * walkerFrom);
         box |= QRectF(QPointF(x - side, box.top()), QPointF(x + side, box.bottom()));
     }
-    const QRectF now = viewportTransform().inverted().mapRect(inside);
-    if (now.adjusted(-0.5, -0.5, 0.5, 0.5).contains(box))
+    const QTransform toScene = viewportTransform().inverted();
+    if (toScene.mapRect(inside).adjusted(-0.5, -0.5, 0.5, 0.5).contains(box))
         return;
     m_narrow = m_narrow.value_or(framing());
     const double least = m_narrow->zoom / mostWidened;
+    // As if the view were only as large as its uncovered part, with the usual border.
+    const QRectF part = clear.adjusted(-frameBorder, -frameBorder, frameBorder, frameBorder);
+    const auto widenedTo = [&](const QRectF &all) {
+        return widened(m_shown.view(), toScene.mapRect(clear), all, part.size(), least);
+    };
     std::optional<Framing> wide;
     if (!isNowhere(box))
-        wide = widened(m_shown.view(), now, box, viewRect().size(), least);
+        wide = widenedTo(box);
     if (!wide) { // some fly off: show the others
         const QSizeF size = viewRect().size() / least;
         const QPointF corner = m_narrow->middle - QPointF(size.width() / 2.0, size.height() / 2.0);
         const QRectF others = subjectWithin({corner, size});
         if (!others.isNull())
-            wide = widened(m_shown.view(), now, others, viewRect().size(), least);
+            wide = widenedTo(others);
     }
-    if (wide)
+    if (wide) {
+        wide->middle += (viewRect().center() - part.center()) / wide->zoom;
         frame(*wide);
+    }
     follow();
     if (!isSubjectInSight())
         bringSubjectBack();

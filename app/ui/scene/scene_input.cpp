@@ -3,6 +3,7 @@
 #include "app/ui/scene/arrow_key.h"
 #include "app/ui/scene/drawing/body_text.h"
 #include "app/ui/scene/scene_view.h"
+#include "app/ui/theme/focus_ring.h"
 
 #include <QFocusEvent>
 #include <QHelpEvent>
@@ -216,9 +217,7 @@ void SceneView::carrySelected(sim::Vec2 by)
 
 void SceneView::focusInEvent(QFocusEvent *event)
 {
-    m_shown.focusVisible = event->reason() == Qt::TabFocusReason ||
-                           event->reason() == Qt::BacktabFocusReason ||
-                           event->reason() == Qt::ShortcutFocusReason;
+    m_shown.focusVisible = isByKeyboard(event->reason());
     QGraphicsView::focusInEvent(event);
     viewport()->update();
 }

@@ -390,7 +390,8 @@ void SceneView::drawForeground(QPainter *painter, const QRectF &)
     m_overlay.draw(*painter, Camera(toView), viewRect());
     if (m_picker.isMarked())
         m_picker.draw({*painter, m_shown, m_theme, Camera(toView), viewRect()},
-                      m_overlay.labelPlaces(Camera(toView), viewRect()));
+                      m_overlay.labelPlaces(Camera(toView), viewRect()),
+                      m_overlay.textBoxes(Camera(toView), viewRect()));
     painter->setWorldTransform(toView);
 }
 

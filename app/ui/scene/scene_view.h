@@ -60,6 +60,8 @@ public:
     QImage picture(double scale = 1.0);
     /// Paints the same image in screen px.
     void paintPicture(QPainter &painter);
+    /// Returns the box of the legend of arrows and ghosts, px of the viewport; empty if there is none.
+    QRectF legendBox() const { return m_overlay.legendBox(camera(), viewRect()); }
     /// Returns the caption inside a frame; empty between two frames.
     QString caption() const { return m_shown.caption; }
 

@@ -5,7 +5,7 @@
 #include "sim/base/error.h"
 
 #include <QActionGroup>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -59,7 +59,11 @@ StepMenu::StepMenu(const OpenRun &run, RunEditor &editor, QWidget *parent)
     });
     addSeparator();
     addOther();
-    connect(this, &QMenu::aboutToShow, m_why, &QWidget::hide);
+    connect(this, &QMenu::aboutToShow, this, [this] {
+        m_other->clear(); // a value typed earlier belonged to another run
+        m_whyEntry->setVisible(false);
+        m_why->hide(); // the menu does not hide the widget of an entry that it leaves out
+    });
 }
 
 void StepMenu::addOther()
@@ -72,20 +76,23 @@ void StepMenu::addOther()
     label->setBuddy(m_other);
     content->setFocusPolicy(Qt::StrongFocus); // the menu focuses this widget when keys select its action
     content->setFocusProxy(m_other);
-    m_why = new QLabel(content);
-    m_why->setObjectName("caption");
-    m_why->setWordWrap(true);
-    m_why->setFixedWidth(180);
-    m_why->hide();
-    auto *grid = new QGridLayout(content);
-    grid->setContentsMargins(10, 4, 10, 4);
-    grid->addWidget(label, 0, 0);
-    grid->addWidget(m_other, 0, 1);
-    grid->addWidget(m_unit, 0, 2);
-    grid->addWidget(m_why, 1, 0, 1, 3);
+    auto *row = new QHBoxLayout(content);
+    row->setContentsMargins(10, 4, 10, 4);
+    row->addWidget(label);
+    row->addWidget(m_other);
+    row->addWidget(m_unit);
     auto *action = new QWidgetAction(this);
     action->setDefaultWidget(content);
     addAction(action);
+    // An entry of its own: a menu does not notice that a widget in it has grown.
+    m_why = new QLabel(this);
+    m_why->setObjectName("caption");
+    m_why->setWordWrap(true);
+    m_why->setContentsMargins(10, 0, 10, 4);
+    m_whyEntry = new QWidgetAction(this);
+    m_whyEntry->setDefaultWidget(m_why);
+    m_whyEntry->setVisible(false);
+    addAction(m_whyEntry);
     connect(m_other, &QLineEdit::returnPressed, this, &StepMenu::takeOther);
 }
 
@@ -114,16 +121,27 @@ void StepMenu::follow()
     m_other->setAccessibleName(adaptive ? tr("Other tolerance, in px") : tr("Other step, in frames"));
 }
 
+void StepMenu::explain(const QString &why)
+{
+    const int width = m_other->parentWidget()->width();
+    m_why->setText(why);
+    m_why->setFixedSize(width, m_why->heightForWidth(width));
+    m_whyEntry->setVisible(false); // so that the menu takes the new height
+    m_whyEntry->setVisible(true);
+}
+
 void StepMenu::takeOther()
 {
     const double typed = stepFromText(m_other->text());
+    if (typed == 0.0) { // not a number
+        explain(m_other->toolTip());
+        return;
+    }
     const bool adaptive = isAdaptive();
     try {
         adaptive ? sim::StepSize::withTolerance(typed) : sim::StepSize::ofLength(typed);
     } catch (const sim::Error &error) {
-        m_why->setText(sentenceFor(error));
-        m_why->show();
-        adjustSize();
+        explain(sentenceFor(error));
         return;
     }
     close();

@@ -7,6 +7,7 @@
 
 class QLabel;
 class QLineEdit;
+class QWidgetAction;
 
 namespace app {
 
@@ -28,6 +29,8 @@ signals:
 private:
     void addOther();
     void takeOther();
+    /// Says below the field why the typed value is invalid.
+    void explain(const QString &why);
     bool isAdaptive() const;
 
     const OpenRun &m_run;
@@ -35,6 +38,7 @@ private:
     QLineEdit *m_other = nullptr;
     QLabel *m_unit = nullptr; ///< of the field
     QLabel *m_why = nullptr;  ///< why the typed value is invalid
+    QWidgetAction *m_whyEntry = nullptr;
 };
 
 }

@@ -102,12 +102,6 @@ MapPlot::MapPlot(const Theme &theme, QWidget *parent)
     connect(this, &SpotPlot::chosenChanged, this, [this] { setAccessibleDescription(sentence()); });
 }
 
-QColor MapPlot::mixed(const QColor &a, const QColor &b, double share)
-{
-    const auto part = [share](int from, int to) { return qRound(from + share * (to - from)); };
-    return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
-}
-
 void MapPlot::applyTheme()
 {
     SpotPlot::applyTheme();

@@ -2,6 +2,7 @@
 
 #include "app/model/analysis/tried_spot.h"
 #include "app/ui/plots/spot_plot.h"
+#include "app/ui/theme/colors.h"
 #include "sim/analysis/stability/growth_map.h"
 
 namespace app {
@@ -64,7 +65,6 @@ protected:
     QColor shadeColor(double shade) const;
     /// Draws a bar with the colours from `low` to `high`.
     void drawBar(QPainter &painter, const QRectF &bar, double low, double high) const;
-    static QColor mixed(const QColor &a, const QColor &b, double share);
     std::size_t cellAt(int column, int row) const;
 
     std::optional<Spot> spotAt(QPointF place) const override;

@@ -4,6 +4,7 @@
 #include "app/model/run/run_program.h"
 #include "app/model/text/phrases.h"
 #include "app/ui/actions/command.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/scroll_page.h"
 #include "app/ui/plots/plot_export.h"
@@ -28,14 +29,6 @@ namespace {
 
 constexpr int margin = 16;
 
-QLabel *textLabel(const char *name, const QString &text, QWidget *parent)
-{
-    auto *label = new QLabel(text, parent);
-    label->setObjectName(name);
-    label->setWordWrap(true);
-    return label;
-}
-
 /// Returns the text with a number and its unit kept together: rich text breaks lines at thin spaces.
 QString unbroken(QString text)
 {
@@ -48,15 +41,14 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, SettlingMonitor &settl
                                const Command &settlingToggle, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_monitor(monitor), m_settling(settling), m_theme(theme)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     QWidget *content = makePage();
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(margin, 4, margin, 12);
     column->setSpacing(8);
     column->addWidget(card());
     column->addWidget(remedyRows());
-    m_leftOut = textLabel("caption", {}, content);
+    m_leftOut = makeTextLabel("caption", {}, content);
     column->addWidget(m_leftOut);
     column->addWidget(map(), 1);
     m_settlingTab->setToolTip(
@@ -65,9 +57,7 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, SettlingMonitor &settl
                  settlingToggle.shortcut()));
     m_area = makeScrollArea(*this);
     m_area->setWidget(content);
-    auto *all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
+    QVBoxLayout *all = makeColumn(this);
     all->addWidget(title(toggle));
     all->addWidget(m_area, 1);
     connect(&monitor, &StabilityMonitor::changed, this, &StabilityPanel::refresh);
@@ -97,11 +87,9 @@ QWidget *StabilityPanel::card()
     card->setObjectName("sentence");
     auto *layout = new QVBoxLayout(card);
     layout->setContentsMargins(14, 10, 12, 10);
-    m_verdict = new QLabel(card);
-    m_verdict->setObjectName("verdict");
+    m_verdict = makeTextLabel("verdict", {}, card);
     m_verdict->setFont(m_theme.ui(13));
     m_verdict->setTextFormat(Qt::RichText);
-    m_verdict->setWordWrap(true);
     layout->addWidget(m_verdict);
     return card;
 }
@@ -114,7 +102,7 @@ QWidget *StabilityPanel::remedyRows()
     m_rows->setHorizontalSpacing(10);
     m_rows->setVerticalSpacing(4);
     m_rows->setColumnStretch(1, 1);
-    m_rows->addWidget(textLabel("heading", tr("Remedies"), m_remedyRows), 0, 0, 1, 2);
+    m_rows->addWidget(makeTextLabel("heading", tr("Remedies"), m_remedyRows), 0, 0, 1, 2);
     return m_remedyRows;
 }
 
@@ -130,9 +118,7 @@ QToolButton *StabilityPanel::mapButton(const QString &text, const QString &tip, 
 QWidget *StabilityPanel::mapTabs()
 {
     auto *tabs = new QWidget(this);
-    auto *row = new QHBoxLayout(tabs);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2);
+    QHBoxLayout *row = makeRow(tabs, 2);
     row->addWidget(mapButton(
         tr("k and step"),
         tr("Shows which stiffness and step are stable, with everything else unchanged. Click again to close"),
@@ -151,15 +137,13 @@ QWidget *StabilityPanel::mapTabs()
 QWidget *StabilityPanel::map()
 {
     auto *part = new QWidget(this);
-    auto *column = new QVBoxLayout(part);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
+    QVBoxLayout *column = makeColumn(part, 4);
     m_plot = new GrowthPlot(m_monitor, m_theme, part);
     m_settlingPlot = new SettlingPlot(m_settling, m_theme, part);
     makeExport();
-    m_noMap = textLabel("caption", {}, part);
-    m_counted = textLabel("caption", {}, part);
-    column->addWidget(textLabel("heading", tr("Map"), part));
+    m_noMap = makeTextLabel("caption", {}, part);
+    m_counted = makeTextLabel("caption", {}, part);
+    column->addWidget(makeTextLabel("heading", tr("Map"), part));
     column->addWidget(mapTabs());
     column->addWidget(m_noMap);
     column->addWidget(m_counted);
@@ -213,7 +197,6 @@ QPushButton *StabilityPanel::remedyButton(const sim::Remedy &remedy)
 {
     auto *button = new QPushButton(remedyTitle(remedy), m_remedyRows);
     button->setObjectName("use");
-    button->setAutoDefault(false);
     button->setFocusPolicy(Qt::TabFocus);
     button->setToolTip(labelled(remedyTitle(remedy), remedyOutcome(remedy)));
     button->setAccessibleDescription(remedyOutcome(remedy));
@@ -245,7 +228,7 @@ void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
         m_cells.push_back(m_remedies.back());
         if (isShort)
             continue;
-        auto *outcome = textLabel("caption", remedyOutcome(one), m_remedyRows);
+        auto *outcome = makeTextLabel("caption", remedyOutcome(one), m_remedyRows);
         m_cells.push_back(outcome);
         m_rows->addWidget(m_remedies.back(), 1 + count, 0, Qt::AlignLeft);
         m_rows->addWidget(outcome, 1 + count, 1);

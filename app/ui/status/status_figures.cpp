@@ -3,6 +3,7 @@
 #include "app/model/text/accuracy_text.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/phrases.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -66,8 +67,8 @@ void StatusFigures::refresh()
 {
     m_refreshTimer.stop();
     m_since.start();
-    const sim::State &state = m_run.timeline().track().state();
-    put(points, pointCount(state.pointCount()));
+    // A change of the number of points is seen at once, although it acts on the next frame.
+    put(points, pointCount(m_run.timeline().track().nextInterval()->scene.start.pointCount()));
     put(work, workWords());
     const sim::AccuracyRow *row = m_study.inUse();
     const bool isTimed = row && row->nsPerFrame > 0.0;

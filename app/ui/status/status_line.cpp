@@ -15,7 +15,7 @@ namespace app {
 namespace {
 
 constexpr int readMilliseconds = 4000; ///< time that a person needs to read a message
-constexpr int between = 24;            ///< px that the bar itself needs
+constexpr int ownWidth = 24;           ///< px that the bar itself needs
 
 }
 
@@ -51,7 +51,10 @@ void StatusLine::showMessage(const QString &sentence)
 {
     m_message = sentence;
     m_saidAt = m_run.timeline().cursor();
-    m_saidLong.start();
+    if (m_playback.isPlaying())
+        m_saidLong.start();
+    else
+        m_saidLong.stop(); // the learner had the time of the pause to read it
     refresh();
 }
 
@@ -110,7 +113,7 @@ QString StatusLine::currentText() const
 
 void StatusLine::share()
 {
-    const int taken = m_text->sizeHint().width() + m_gauge->sizeHint().width() + between;
+    const int taken = m_text->sizeHint().width() + m_gauge->sizeHint().width() + ownWidth;
     m_figures->setMost(width() - taken);
 }
 

@@ -33,8 +33,8 @@ protected:
 
 private:
     void showMessage(const QString &sentence);
-    /// Removes a message once the learner goes on. While the run plays, a message stays until there was time
-    /// to read it.
+    /// Removes a message once the learner goes on. A message that appears while the run plays stays until there was
+    /// time to read it.
     void follow(const Change &change);
     void followRun();
     void refresh();

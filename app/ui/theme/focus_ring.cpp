@@ -24,12 +24,12 @@ bool hasRing(const QWidget *widget)
            qobject_cast<const QAbstractSlider *>(widget) || qobject_cast<const QComboBox *>(widget);
 }
 
-bool isKeyboard(Qt::FocusReason reason)
+}
+
+bool isByKeyboard(Qt::FocusReason reason)
 {
     return reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason ||
            reason == Qt::ShortcutFocusReason;
-}
-
 }
 
 FocusRing::FocusRing(QObject *parent) : QObject(parent)
@@ -64,10 +64,8 @@ void FocusRing::follow(QWidget *widget)
 bool FocusRing::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == m_widget) {
-        if (event->type() == QEvent::KeyPress)
-            show();
-        else if (event->type() == QEvent::FocusIn &&
-                 isKeyboard(static_cast<const QFocusEvent *>(event)->reason()))
+        if (event->type() == QEvent::KeyPress ||
+            (event->type() == QEvent::FocusIn && isByKeyboard(static_cast<QFocusEvent *>(event)->reason())))
             show();
         else if (event->type() == QEvent::MouseButtonPress && !isField(m_widget))
             hide();

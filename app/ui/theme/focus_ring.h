@@ -8,6 +8,9 @@ class QWidget;
 
 namespace app {
 
+/// Returns whether the focus came by keyboard, so that its place is to be shown.
+bool isByKeyboard(Qt::FocusReason reason);
+
 /// Draws a ring round the standard control that has the focus. Input fields always get one; other controls
 /// get one once the keyboard is used. Widgets that draw their own ring get none.
 class FocusRing : public QObject

@@ -124,7 +124,7 @@ RunView runViewOf(const sim::Timeline &timeline, const ComparisonRuns &compariso
     if (comparison && branch) {
         const std::int64_t shared = timeline.forkFrame() - timeline.track().framesPerOutput();
         view.comparison = ComparisonRun{std::max<std::int64_t>(0, shared), comparison->computed(),
-                                        branch->name, branch->id, branch->isKept};
+                                        branch->name, branch->id};
     }
     view.forks = forksOf(timeline, comparisons.branches(), view.comparison ? branch : nullptr);
     return view;

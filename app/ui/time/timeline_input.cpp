@@ -1,6 +1,7 @@
 // Mouse, wheel and keys of the timeline.
 #include "app/model/text/difference_text.h"
 #include "app/model/text/phrases.h"
+#include "app/ui/theme/focus_ring.h"
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
 
@@ -226,8 +227,7 @@ void TimelineStrip::contextMenuEvent(QContextMenuEvent *event)
 
 void TimelineStrip::focusInEvent(QFocusEvent *event)
 {
-    m_byKeyboard = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-                   event->reason() == Qt::ShortcutFocusReason;
+    m_byKeyboard = isByKeyboard(event->reason());
     update();
 }
 

@@ -27,7 +27,6 @@ struct ComparisonRun
     std::int64_t end = 0;
     QString name;
     int id = 0;
-    bool isKept = false;
 };
 
 /// A place where hidden branches part from the run.

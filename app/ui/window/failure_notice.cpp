@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QUndoStack>
 #include <QVBoxLayout>
 
 namespace app {
@@ -43,6 +44,7 @@ FailureNotice::FailureNotice(const OpenRun &run, RunEditor &editor, const Theme 
     column->addWidget(m_hint);
     column->addWidget(m_buttons);
     connect(&m_search, &RemedySearch::changed, this, &FailureNotice::refresh);
+    connect(&editor.undoStack(), &QUndoStack::canUndoChanged, this, &FailureNotice::refresh);
     picture->installEventFilter(this);
     refresh();
 }
@@ -64,7 +66,9 @@ void FailureNotice::refresh()
     m_hint->setVisible(isEmpty);
     m_hint->setText(
         runErrorOf(m_run.timeline().track()) || ruleErrorOf(m_run.timeline().track())
-            ? tr("Correct this line, and the run goes on. Undo reverts your last change.")
+            ? m_editor.undoStack().canUndo()
+                  ? tr("Correct this line, and the run goes on. Undo reverts your last change.")
+                  : tr("Correct this line, and the run goes on.")
         : m_search.isSearching()
             ? tr("Searching for a remedy…")
             : tr("No smaller step and no other method was found to be stable. Go back, and undo the change "

@@ -11,27 +11,21 @@ namespace {
 
 constexpr int leastField = 150; ///< px that slider and number need
 constexpr int wantedField = 200;
-constexpr int refreshMilliseconds = 100;
 
 }
 
 FocusParameters::FocusParameters(const OpenRun &run, RunEditor &editor, const Playback &playback,
                                  const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_run(run), m_editor(editor), m_playback(playback), m_theme(theme)
+    : QWidget(parent), m_run(run), m_editor(editor), m_theme(theme), m_pace(playback)
 {
     setObjectName("focusParameters");
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    m_refreshTimer.setSingleShot(true);
-    m_refreshTimer.setInterval(refreshMilliseconds);
-    connect(&m_refreshTimer, &QTimer::timeout, this, &FocusParameters::refresh);
-    const auto refreshSoon = [this] {
-        if (!m_playback.isPlaying())
-            refresh();
-        else if (!m_refreshTimer.isActive())
-            m_refreshTimer.start();
-    };
     run.onChange(ChangeKind::step, this, &FocusParameters::open);
-    run.onChange(ChangeKind::run | ChangeKind::cursor, this, refreshSoon);
+    run.onChange(ChangeKind::run | ChangeKind::playing, this, &FocusParameters::refresh);
+    run.onChange(ChangeKind::cursor, this, [this] {
+        if (m_pace.isDue())
+            refresh();
+    });
     open();
 }
 
@@ -55,7 +49,7 @@ void FocusParameters::open()
 
 void FocusParameters::refresh()
 {
-    m_refreshTimer.stop();
+    m_pace.restart();
     for (ParameterRow *row : m_rows)
         row->refresh();
 }

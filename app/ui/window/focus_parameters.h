@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/ui/dock/number_pace.h"
 #include "app/ui/theme/theme.h"
 
-#include <QTimer>
 #include <QWidget>
 
 #include <vector>
@@ -11,7 +11,6 @@ namespace app {
 
 class ParameterRow;
 class OpenRun;
-class Playback;
 class RunEditor;
 
 /// The first parameters of a step in a bar, as many as fit.
@@ -41,10 +40,9 @@ private:
 
     const OpenRun &m_run;
     RunEditor &m_editor;
-    const Playback &m_playback;
     const Theme &m_theme;
     std::vector<ParameterRow *> m_rows;
-    QTimer m_refreshTimer; ///< limits how often numbers change while the run plays
+    NumberPace m_pace;
 };
 
 }

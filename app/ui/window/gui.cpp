@@ -80,6 +80,45 @@ QString noLessons()
         .arg(LessonLibrary::folders().join(", "));
 }
 
+/// Handles events until `isDone` returns true.
+template <class Condition>
+void waitUntil(Condition isDone)
+{
+    while (!isDone())
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
+/// Opens the panels of a picture, goes to its frame, and waits until everything is measured and drawn.
+void arrange(MainWindow &window, Session &session, const ScreenshotRequest &request)
+{
+    if (request.measuring)
+        window.setMode(MainWindow::Mode::measure);
+    if (request.energy)
+        window.docks().show(Panel::energy, true);
+    if (request.effects)
+        window.docks().show(Panel::effects, true);
+    if (request.plots)
+        window.docks().show(Panel::plots, true);
+    waitUntil([&] { return window.study().stage() != AccuracyStudy::Stage::measuring; });
+    session.playback().goTo({request.frame, request.phase});
+    waitUntil([&] { return !session.playback().goal(); });
+    if (request.reasons || request.settling)
+        window.docks().show(Panel::stability, true);
+    if (request.effects)
+        window.effects().measureAgain()->trigger();
+    waitUntil([&] { return window.effects().isSettled(); });
+    if (request.map)
+        window.stabilityPanel().showMap(*request.map);
+    if (request.settling)
+        window.stabilityPanel().showSettling(true);
+    waitUntil([&] {
+        return window.stability().isCurrent() && !window.stability().isMapping() &&
+               !window.settling().isMapping() && !window.stopNotice().search().isSearching();
+    });
+    QApplication::processEvents();
+    waitUntil([&] { return window.plots().isSettled(); });
+}
+
 }
 
 void retranslate(LessonLibrary &library, LessonLibrary other)
@@ -172,35 +211,7 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         window.resize(request.size);
         window.show();
         QApplication::processEvents();
-        if (request.measuring)
-            window.setMode(MainWindow::Mode::measure);
-        if (request.energy)
-            window.docks().show(Panel::energy, true);
-        if (request.effects)
-            window.docks().show(Panel::effects, true);
-        if (request.plots)
-            window.docks().show(Panel::plots, true);
-        while (window.study().stage() == AccuracyStudy::Stage::measuring)
-            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        session.playback().goTo({request.frame, request.phase});
-        while (session.playback().goal())
-            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        if (request.reasons || request.settling)
-            window.docks().show(Panel::stability, true);
-        if (request.effects)
-            window.effects().measureAgain()->trigger();
-        while (!window.effects().isSettled())
-            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        if (request.map)
-            window.stabilityPanel().showMap(*request.map);
-        if (request.settling)
-            window.stabilityPanel().showSettling(true);
-        while (!window.stability().isCurrent() || window.stability().isMapping() ||
-               window.settling().isMapping() || window.stopNotice().search().isSearching())
-            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        QApplication::processEvents();
-        while (!window.plots().isSettled())
-            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        arrange(window, session, request);
         if (!window.grab().save(request.out))
             return reportError(
                 QApplication::translate("Gui", "%1 could not be written: give a folder that you may write "

@@ -36,9 +36,12 @@ Header::Header(QMenuBar *menus, const Commands &commands, const Theme &theme, QW
     letGiveWay(*menus);
     addButton(*row, *commands.edit.undo);
     addButton(*row, *commands.edit.redo);
-    row->addSpacing(4);
+    const auto addGap = [row](int width) { // goes first in a narrow window
+        row->addItem(new QSpacerItem(width, 0, QSizePolicy::Maximum, QSizePolicy::Minimum));
+    };
+    addGap(4);
     row->addWidget(modeSwitch(commands), 0, Qt::AlignVCenter);
-    row->addSpacing(8);
+    addGap(8);
     addButton(*row, *commands.view.lessons);
     addButton(*row, *commands.view.codeAndParameters);
     addButton(*row, *commands.help.keys);

@@ -1,6 +1,7 @@
 #include "app/ui/window/numbers_panel.h"
 
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/parameters/measure_panel.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/scene/drawing/thumbnail.h"
@@ -21,9 +22,7 @@ NumbersPanel::NumbersPanel(const OpenRun &run, RunEditor &editor, Playback &play
                 values.set(id.toStdString(), value);
             return thumbnail(step, values, theme, size);
         });
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(this);
     column->addWidget(m_measures);
     column->addWidget(m_divider);
     column->addWidget(m_parameters, 1);

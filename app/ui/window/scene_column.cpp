@@ -4,6 +4,7 @@
 #include "app/ui/dialogs/notice.h"
 #include "app/ui/dock/divider.h"
 #include "app/ui/dock/panel_layout.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/scene/hud/unit_circle.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
@@ -31,8 +32,7 @@ SceneColumn::SceneColumn(Session &session, MeasureSeries &measures, const RunCom
                                    *m_timeline, theme, this)),
       m_column(new QVBoxLayout(this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_scene->setMinimumSize(leastScene);
     (new UnitCircle(*m_scene, theme))->stackUnder(m_failure); // the scene owns it
     m_column->setContentsMargins(0, 0, 0, 0);

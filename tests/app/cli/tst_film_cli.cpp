@@ -22,6 +22,7 @@ private slots:
     void aFileBecomesAFilm();
     void optionsDoWhatTheySay();
     void aFrameBecomesAPicture();
+    void numbersHaveTheDigitsThatTheHelpSays();
     void badUseIsOneSentenceAndCodeTwo_data();
     void badUseIsOneSentenceAndCodeTwo();
     void aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo();
@@ -79,6 +80,18 @@ void FilmCliTest::aFrameBecomesAPicture()
              0);
     QCOMPARE(there("c_*"), QStringList({"c_000.png", "c_002.png", "c_004.png", "c_006.png", "c_008.png"}));
     QCOMPARE(QImage(out("c_004.png")).size(), QSize(200, 150));
+}
+
+void FilmCliTest::numbersHaveTheDigitsThatTheHelpSays()
+{
+    const QString from = file("\"frames\": 20");
+    for (const char *name : {"n_%d.png", "n_%04d.png"})
+        QCOMPARE(springstep({"film", from, out(name), "--from", "9", "--to", "10", "--size", "200x150"}).code,
+                 0);
+    QCOMPARE(there("n_*"), QStringList({"n_0009.png", "n_0010.png", "n_10.png", "n_9.png"})); // by name
+    const QString help = springstep({"film", "--help"}).out.simplified();
+    QVERIFY2(help.contains("4 digits, such as 0007. %d writes 7, and the files do not sort by name."),
+             qPrintable(help));
 }
 
 void FilmCliTest::badUseIsOneSentenceAndCodeTwo_data()

@@ -1,4 +1,6 @@
 #include "tests/app/cli/program.h"
+
+#include "sim/methods/methods.h"
 #include "tests/suite.h"
 
 #include <QJsonArray>
@@ -100,7 +102,9 @@ private slots:
     {
         const Answer answer = springstep({"hardcases", "--case", "hand_not_a_number", "--json"});
         QCOMPARE(answer.code, 0);
-        for (const QJsonValue &row : rows(answer))
+        const QJsonArray all = rows(answer);
+        QCOMPARE(all.size(), static_cast<qsizetype>(sim::allMethods().size()));
+        for (const QJsonValue &row : all)
             QVERIFY(row["holds"].toBool() && row["frames"].toInt(-1) == 0 && row["ns_per_frame"].isNull());
     }
 

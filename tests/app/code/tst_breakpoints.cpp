@@ -241,8 +241,7 @@ private slots:
         fixture.session.editor().setParameter("damp", 1.0);
         sim::Timeline straight(fixture.session.timeline().script());
         straight.seek({100000, 0});
-        if (!straight.stop())
-            QSKIP("this run does not end");
+        QVERIFY(straight.stop());
         fixture.session.playback().breakpoints().add("frame == 1000000");
         fixture.session.playback().runTo({100000, 0});
         QVERIFY(QTest::qWaitFor([&] { return !fixture.session.playback().goal(); }, 20000));

@@ -204,8 +204,7 @@ private slots:
         const sim::MethodPtr method = sim::findMethod(stepOf(lesson, step).method.toStdString());
         auto listing = listingAtStart(stepOf(lesson, step), method);
         const auto old = listingAtStart(stepOf(lesson, before), method);
-        if (!listing || !old)
-            QSKIP("nothing computes both steps");
+        QVERIFY(listing && old);
         markNew(*listing, *old);
         markGone(*listing, *old);
         QCOMPARE(kept(*listing), kept(*old));

@@ -197,6 +197,8 @@ private slots:
     {
         CodeFixture shown;
         shown.session.playback().frameForward();
+        shown.panel->resize(700, 600);
+        QVERIFY(shown.view().chipText(shown.row("pull = k * d")).endsWith(')')); // there is room for it
         for (int width = 700; width >= 160; width -= 20) {
             shown.panel->resize(width, 600);
             for (std::size_t row = 0; row < shown.view().rows().size(); ++row) {

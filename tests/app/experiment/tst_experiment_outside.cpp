@@ -94,7 +94,7 @@ private slots:
             "line 6: \"share\" is 1.5; it can be 0 to 1.");
         row("a length below 0",
             sticks(points(2) + ",\n\"links\": [{\"a\": \"p0\", \"b\": \"p1\", \"length\": -9}]"),
-            "line 6: \"length\" is -9; it can be 0 to 1000000 px.");
+            "line 6: \"length\" is -9; it can be 0 to 1000000.");
         row("a link without a length", sticks(points(2) + ",\n\"links\": [{\"a\": \"p0\", \"b\": \"p1\"}]"),
             "line 6: a link has no \"length\"; add it. It must be a number.");
         row("links that are no list", sticks(points(2) + ",\n\"links\": 3"),

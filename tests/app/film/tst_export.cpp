@@ -62,6 +62,7 @@ private slots:
     void aFilmThatIsThereIsWrittenOverWhenThatIsWanted();
     void picturesThatAreThereAreAskedAboutToo();
     void aFolderThatIsNotThereIsSaid();
+    void aLongMessageSqueezesNoText();
     void thePictureIsCopiedAndSaved();
     void theSvgLooksAsThePictureDoes_data();
     void theSvgLooksAsThePictureDoes();
@@ -248,6 +249,19 @@ void ExportTest::aFolderThatIsNotThereIsSaid()
     QTest::keyClick(&dialog, Qt::Key_Return);
     QTRY_VERIFY(!dialog.isMaking());
     QVERIFY2(dialog.message().contains("Could not write"), qPrintable(dialog.message()));
+}
+
+void ExportTest::aLongMessageSqueezesNoText()
+{
+    WindowFixture fixture;
+    FilmDialog &dialog = openDialog(fixture);
+    fileOf(dialog).setText("/a/folder/with/a/long/name/that/wraps/film.abc");
+    QTest::keyClick(&dialog, Qt::Key_Return);
+    QVERIFY(!dialog.message().isEmpty());
+    for (const QLabel *text : dialog.findChildren<QLabel *>()) {
+        if (text->wordWrap())
+            QTRY_VERIFY2(text->height() >= text->heightForWidth(text->width()), qPrintable(text->text()));
+    }
 }
 
 void ExportTest::thePictureIsCopiedAndSaved()

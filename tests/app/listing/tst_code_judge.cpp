@@ -105,6 +105,7 @@ private slots:
     void theTrialRunsMoveBodies_data() { addTaskRows(); }
     void theTrialRunsMoveBodies();
     void anotherMistakeIsWrongAtItsFrameAndBody();
+    void aNumberInPlaceOfAParameterIsToldApart();
     void aMistakeThatNeedsTheHandNamesTheHeldBody();
     void aDifferenceBelowRoundingIsRight();
     void whatDoesNotCompileTellsItsLine();
@@ -291,11 +292,26 @@ void CodeJudgeTest::anotherMistakeIsWrongAtItsFrameAndBody()
     QCOMPARE(verdict.frame, 1);
     QCOMPARE(verdict.body, std::string("foot"));
     QVERIFY(verdict.held.empty() && !verdict.isAngle);
+    QVERIFY(!verdict.hasOtherValues);
     // After one frame: damp * k * distance is missing.
     const sim::Values values = one.step.defaultValues();
     const double distance = sim::length(sim::Vec2{420.0 - values["centre_x"], 120.0 - values["centre_y"]});
     QVERIFY(std::abs(verdict.distance - values["damp"] * values["k"] * distance) < 1e-9);
     QVERIFY(sentenceFor(verdict, one.task).contains("foot"));
+}
+
+void CodeJudgeTest::aNumberInPlaceOfAParameterIsToldApart()
+{
+    const Assignment one = assignment("walking_gait", "bones", "target");
+    Verdict verdict = one.judged("Vec2 target = body.position - 50 * Vec2(cos(angle), sin(angle));");
+    QVERIFY(verdict.kind == Verdict::Kind::wrong);
+    QVERIFY(verdict.hasOtherValues);
+    const auto isSaid = [&] {
+        return sentenceFor(verdict, one.task).contains("a trial run with other parameters,");
+    };
+    QVERIFY2(isSaid(), qPrintable(sentenceFor(verdict, one.task)));
+    verdict.held = "foot0";
+    QVERIFY2(isSaid(), qPrintable(sentenceFor(verdict, one.task)));
 }
 
 void CodeJudgeTest::aMistakeThatNeedsTheHandNamesTheHeldBody()

@@ -90,6 +90,17 @@ private slots:
                  QString("before: foot.velocity += k * (target - …")); // not cut inside a word
     }
 
+    void aCommentDoesNotNameTheGhost()
+    {
+        Opened opened("two_body", "leg_line"); // its listing begins with a comment
+        Session &session = opened.session;
+        opened.goTo(10);
+        session.code().write("void frame()\n{\n}\n");
+        opened.waitUntilThere();
+        QTRY_COMPARE(session.comparisons().comparisonName(),
+                     QString("before: Vec2 nearest(Body me, Body anchor)"));
+    }
+
     void theGhostOfOneBurstOfTypingIsTheRunBeforeIt()
     {
         Opened opened("single_spring", "radial");

@@ -82,6 +82,7 @@ private slots:
         const LineValues values = valuesOf(opened);
         QCOMPARE(values.calls.front(), QString("frame"));
         QCOMPARE(values.calls.back(), QString::fromStdString(frame->line(middle).function));
+        QVERIFY(!values.chips.empty());
         for (const LineChip &chip : values.chips)
             QVERIFY(chip.text.contains(" = ") && !chip.tip.isEmpty());
         session.lines().back();

@@ -94,6 +94,7 @@ private slots:
 
     void tasksAreUnfoldedAndStartedWithTheMouse();
     void aButtonAboveTheThingsToTryLeadsToTheTask();
+    void aTaskThatIsDoneTakesNoRowAboveTheThingsToTry();
     void theLearnerTypesBelowTheComment_data();
     void theLearnerTypesBelowTheComment();
     void theCommentOfATaskIsInSight();
@@ -156,6 +157,20 @@ void TaskBoxTest::aButtonAboveTheThingsToTryLeadsToTheTask()
     QTRY_VERIFY(pointer.isVisible());
     world.session.openStep("single_spring", "offset");
     QTRY_COMPARE(pointer.isVisible(), !world.session.step().codeTasks.empty());
+}
+
+void TaskBoxTest::aTaskThatIsDoneTakesNoRowAboveTheThingsToTry()
+{
+    TaskPanelFixture world;
+    const auto &toTask = *world.panel.findChild<QToolButton *>("toTask");
+    const auto &toPredictions = *world.panel.findChild<QToolButton *>("toPredictions");
+    QTRY_VERIFY(toTask.isVisible() && toPredictions.isVisible());
+    const QWidget &head = *toTask.parentWidget();
+    const int before = head.height();
+    world.session.progress().markWritten("single_spring", "fixed_centre", "pull");
+    QTRY_VERIFY(toTask.isHidden());
+    QTRY_VERIFY(head.height() < before);
+    QCOMPARE(toPredictions.visibleRegion().boundingRect(), toPredictions.rect());
 }
 
 void TaskBoxTest::theLearnerTypesBelowTheComment_data()

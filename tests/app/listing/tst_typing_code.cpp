@@ -1,5 +1,8 @@
 #include "tests/app/listing/listing_window.h"
+#include "tests/app/support/panel_fixture.h"
 #include "tests/suite.h"
+
+#include <QSignalSpy>
 
 using namespace listing_window;
 
@@ -25,6 +28,23 @@ private slots:
         QVERIFY(shown.session.comparisons().shown());
         QVERIFY(shown.view.shown().comparison);
         QVERIFY(shown.session.code().isInUse());
+    }
+
+    void theFirstPauseAfterTheStartLeavesCaretAndFocus()
+    {
+        // The step is open before the panel is made, as when the program starts.
+        tests::PanelFixture<ListingPanel> shown(LessonLibrary::load({LESSON_DIR}), QSize(600, 500));
+        ListingEditor &editor = shown.panel.editor();
+        const QSignalSpy left(&shown.panel, &ListingPanel::left);
+        editor.setFocus();
+        editor.setCursorPosition(5, static_cast<int>(editor.text(5).size()) - 1);
+        QTest::keyClicks(&editor, " ");
+        QTRY_VERIFY(shown.session.code().isInUse());
+        tests::settle();
+        QCOMPARE(left.count(), 0);
+        QTest::keyClicks(&editor, "// here");
+        QVERIFY2(editor.text(5).endsWith(" // here\n"), qPrintable(editor.text()));
+        shown.panel.hide(); // takes what was typed
     }
 
     void aMistakeIsUnderlinedAndExplainedWhileTheLastGoodCodeGoesOn()

@@ -86,11 +86,10 @@ private slots:
             if (holds(effect))
                 holding.insert(QString::fromStdString(effect->id()));
         }
-        if (holding.empty())
-            QSKIP("nothing holds here");
         const int links = linksOf(*m_session->presentation().picture().view);
         for (const QString &id : holding)
             m_session->editor().setEffect(id, false);
+        QVERIFY(links == 0 || !holding.empty());
         QCOMPARE(linksOf(*m_session->presentation().picture().view), 0);
         for (std::size_t i = 0; i < holding.size(); ++i)
             m_session->editor().undo();
@@ -103,16 +102,11 @@ private slots:
     void noContactsMeanNoRoomAndNoGround()
     {
         open();
-        bool any = false;
         for (const sim::EffectPtr &effect : m_session->editor().listedEffects()) {
-            if (effect->kind() != sim::EffectKind::contact)
-                continue;
-            m_session->editor().setEffect(QString::fromStdString(effect->id()), false);
-            any = true;
+            if (effect->kind() == sim::EffectKind::contact)
+                m_session->editor().setEffect(QString::fromStdString(effect->id()), false);
         }
         const std::shared_ptr<const lessons::View> view = m_session->presentation().picture().view;
-        if (!any)
-            QSKIP("nothing to touch here");
         QVERIFY(!view->room);
         QVERIFY(!view->ground);
     }

@@ -60,6 +60,7 @@ private slots:
     void ofTwoWordsWithOneNameTheFirstCounts();
     void everyWordIsExplainedShortly();
     void everyWordStandsInTheTextThatTeachesIt();
+    void theRadiusOfADiscIsNoRestLength();
     void theLessonsTeachTheWordsThatTheyCannotDoWithout_data();
     void theLessonsTeachTheWordsThatTheyCannotDoWithout();
 };
@@ -151,6 +152,14 @@ void GlossaryTest::everyWordStandsInTheTextThatTeachesIt()
             names << m_glossary.entries()[mention.entry].term.name;
         QVERIFY2(names.contains(one.term.name), qPrintable(one.term.name + " in " + one.where));
     }
+}
+
+void GlossaryTest::theRadiusOfADiscIsNoRestLength()
+{
+    QStringList names;
+    for (const Mention &mention : m_glossary.mentionsIn("right - me.radius"))
+        names << m_glossary.entries()[mention.entry].term.name;
+    QCOMPARE(names, QStringList{"Radius of a disc"});
 }
 
 void GlossaryTest::theLessonsTeachTheWordsThatTheyCannotDoWithout_data()

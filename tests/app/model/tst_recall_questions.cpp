@@ -126,6 +126,8 @@ private slots:
     void aSceneThatDoesNotFitIsNamed();
     void whatIsAskedForCanBeDone_data();
     void whatIsAskedForCanBeDone();
+    void anythingElseIsNotAccepted_data();
+    void anythingElseIsNotAccepted();
     void everySceneHasASolutionHere();
     void choicesAreShuffledAlwaysInTheSameWay();
     void answersAreKeptAndCanBeChanged();
@@ -207,6 +209,34 @@ void RecallQuestionsTest::whatIsAskedForCanBeDone()
     carryOut(solution, session, desk);
     QVERIFY(desk.isDone());
     QCOMPARE(foundInNotebook(lesson.id, session), QString("shown"));
+}
+
+void RecallQuestionsTest::anythingElseIsNotAccepted_data()
+{
+    QTest::addColumn<RecallSolution>("attempt");
+    const auto row = [](const char *name, const RecallSolution &attempt) { QTest::newRow(name) << attempt; };
+    row("turned by its tail",
+        {.lesson = "codeling", .question = "look_down", .body = "tail", .by = {40, -60}});
+    row("looks down on its way only",
+        {.lesson = "codeling", .question = "look_down", .target = sim::Vec2{30, 215}, .frames = 100});
+    row("carried to the ring",
+        {.lesson = "accuracy", .question = "on_the_ring", .body = "foot", .by = {-33.917, 0}, .frames = 120});
+    row("another method",
+        {.lesson = "hard_cases", .question = "thirty", .method = "backward_euler", .frames = 120});
+    row("held",
+        {.lesson = "hard_cases", .question = "thirty", .body = "foot", .by = {-20, 0}, .frames = 120});
+}
+
+void RecallQuestionsTest::anythingElseIsNotAccepted()
+{
+    QFETCH(RecallSolution, attempt);
+    const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+    Session session(library);
+    RecallDesk desk(session);
+    const LessonEntry &lesson = *library.lesson(attempt.lesson);
+    desk.start(lesson, questionOf(lesson, attempt.question));
+    carryOut(attempt, session, desk);
+    QVERIFY(!desk.isDone());
 }
 
 void RecallQuestionsTest::everySceneHasASolutionHere()

@@ -184,6 +184,7 @@ void ConceptMapTest::pointingTellsAndLights()
                               std::find(node.carries.begin(), node.carries.end(), i) != node.carries.end();
         QCOMPARE(fixture.map().button(i).isFaded(), !isJoined);
     }
+    QVERIFY(!node.restsOn.empty());
     for (const std::size_t base : node.restsOn)
         QVERIFY(fixture.text().contains(fixture.map().nodes()[base].title));
     pointAt({3, 3});

@@ -113,13 +113,13 @@ private slots:
         for (QToolButton *tab : tabs)
             QVERIFY(!tab->toolTip().isEmpty() && (tab->focusPolicy() & Qt::TabFocus));
         QTest::mouseClick(tabs[1], Qt::LeftButton);
-        QCOMPARE(fixture.panel.view(), EnergyPanel::momentum);
+        QCOMPARE(fixture.panel.view(), EnergyView::momentum);
         const sim::Vec2 v = fixture.session.timeline().state().velocityOf(0);
         QVERIFY(std::abs(fixture.line("momentum")->amount - v.x) < 1e-9);
         QVERIFY(std::abs(fixture.line("momentum")->across - v.y) < 1e-9);
         QVERIFY(fixture.line("anchors")->amount < -1.0);
         QTest::keyClick(tabs[0], Qt::Key_Space);
-        QCOMPARE(fixture.panel.view(), EnergyPanel::energy);
+        QCOMPARE(fixture.panel.view(), EnergyView::energy);
         QVERIFY(fixture.line("springs"));
     }
 
@@ -128,7 +128,7 @@ private slots:
         EnergyFixture fixture;
         fixture.goTo(30);
         const QTemporaryDir folder;
-        for (const EnergyPanel::View view : {EnergyPanel::energy, EnergyPanel::momentum}) {
+        for (const EnergyView view : {EnergyView::energy, EnergyView::momentum}) {
             fixture.panel.setView(view);
             QSignalSpy said(&fixture.panel.exports(), &PlotExport::messageRequested);
             fixture.panel.exports().saveNumbers(folder.filePath("a.csv"));
@@ -138,7 +138,7 @@ private slots:
             for (const std::map<QString, double> &row : rows) {
                 const sim::State at =
                     fixture.session.timeline().track().stateAt(static_cast<std::int64_t>(row.at("frame")));
-                if (view == EnergyPanel::momentum) {
+                if (view == EnergyView::momentum) {
                     QVERIFY(std::abs(row.at("momentum_x") - at.velocityOf(0).x) < 1e-12);
                     QVERIFY(std::abs(row.at("momentum_y") - at.velocityOf(0).y) < 1e-12);
                     continue;

@@ -94,7 +94,7 @@ private slots:
         const QString said = access->text(QAccessible::Value);
         QVERIFY2(said.contains(fixture.panel.plot().readout(12)) && said.endsWith("frame 12"),
                  qPrintable(said));
-        fixture.panel.setView(EnergyPanel::momentum);
+        fixture.panel.setView(EnergyView::momentum);
         const QString momentum = access->text(QAccessible::Value);
         QVERIFY2(momentum.contains("to the right"), qPrintable(momentum));
     }

@@ -285,7 +285,9 @@ void LearnPanelTest::theButtonsStayInSight()
         library.lessons.front().steps.front().narration += "\n\nOne more paragraph that needs its two lines.";
     PanelFixture<LearnPanel> fixture(library, size);
     QCOMPARE(fixture.panel.size(), size);
-    for (const QPushButton *button : fixture.panel.findChildren<QPushButton *>()) {
+    const auto buttons = fixture.panel.findChildren<QPushButton *>();
+    QCOMPARE(buttons.size(), 6);
+    for (const QPushButton *button : buttons) {
         const QRect place(button->mapTo(&fixture.panel, QPoint()), button->size());
         QVERIFY2(fixture.panel.rect().contains(place), qPrintable(button->accessibleName()));
     }

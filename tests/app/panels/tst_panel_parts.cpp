@@ -41,7 +41,8 @@ private slots:
 
     void theHelpPageListsEveryActionThatHasAShortcut();
     void groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded();
-    void theHelpPageHasAThirdColumnBeforeItScrolls();
+    void theHelpPageHasMoreColumnsBeforeItScrolls();
+    void aLongGestureOfTheHelpPageIsBelowItsText();
     void escapeClosesTheHelpPage();
     void aDockTitleIsAsHighAsItsDockExpects();
     void tabPutsARingRoundAControl();
@@ -73,7 +74,9 @@ void PanelPartsTest::theHelpPageListsEveryActionThatHasAShortcut()
     const QStringList expected = {"Grab it: Drag a body", "Next phase: Shift → or Ctrl +",
                                   "Play or pause: Space"};
     QCOMPARE(listed, expected);
-    for (const KeyCaps *caps : page.findChildren<KeyCaps *>())
+    const auto keys = page.findChildren<KeyCaps *>();
+    QCOMPARE(keys.size(), expected.size());
+    for (const KeyCaps *caps : keys)
         QVERIFY(caps->isVisible() && caps->width() == caps->sizeHint().width());
 }
 
@@ -101,11 +104,11 @@ void PanelPartsTest::groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded()
     QVERIFY(place("Code").y() > place("Time").y());
 }
 
-void PanelPartsTest::theHelpPageHasAThirdColumnBeforeItScrolls()
+void PanelPartsTest::theHelpPageHasMoreColumnsBeforeItScrolls()
 {
     Theme theme(Scheme::light);
     HelpPage page(theme);
-    for (int group = 0; group < 9; ++group) {
+    for (int group = 0; group < 12; ++group) {
         for (int i = 0; i < 8; ++i)
             page.addGesture(QString("Group %1").arg(group), "Press", "do it");
     }
@@ -121,10 +124,37 @@ void PanelPartsTest::theHelpPageHasAThirdColumnBeforeItScrolls()
     const QScrollBar *bar = page.findChild<QScrollArea *>()->verticalScrollBar();
     QCOMPARE(columns({1280, 800}), std::size_t{2});
     QVERIFY(bar->maximum() > 0);
-    QCOMPARE(columns({1920, 1080}), std::size_t{3});
+    QCOMPARE(columns({1600, 1200}), std::size_t{3});
+    QCOMPARE(bar->maximum(), 0);
+    QCOMPARE(columns({1920, 1080}), std::size_t{4});
     QCOMPARE(bar->maximum(), 0);
     QCOMPARE(columns({1920, 2000}), std::size_t{2}); // nothing scrolls there
     QCOMPARE(bar->maximum(), 0);
+}
+
+void PanelPartsTest::aLongGestureOfTheHelpPageIsBelowItsText()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    page.addGesture("Code", "Click", "set a breakpoint");
+    page.addGesture("Code", "Ctrl and a click left of a line, or F9, in the listing", "remove it");
+    show(page, {800, 600});
+    const auto placesOf = [&page](const QString &text) {
+        for (const QLabel *label : page.findChildren<QLabel *>("action")) {
+            if (label->text() != text)
+                continue;
+            for (const KeyCaps *caps : page.findChildren<KeyCaps *>()) {
+                if (label->accessibleName().endsWith(caps->accessibleName()))
+                    return std::pair(label->geometry(), caps->geometry());
+            }
+        }
+        return std::pair(QRect(), QRect());
+    };
+    const auto [text, caps] = placesOf("Set a breakpoint");
+    QVERIFY(!text.isEmpty() && caps.left() > text.right());
+    const auto [above, below] = placesOf("Remove it");
+    QVERIFY(!above.isEmpty() && below.top() > above.bottom());
+    QVERIFY(above.width() >= below.width()); // all of the column is for the text
 }
 
 void PanelPartsTest::escapeClosesTheHelpPage()

@@ -57,6 +57,7 @@ private slots:
     void theWheelChangesOnlyWhatWasChosenBefore();
     void aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped_data();
     void aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped();
+    void aDoubleClickSelectsTheWholeNumber();
     void aClickElsewhereTakesTheTypedNumber();
     void whoCameByTabStaysInTheFieldAfterEnter();
 };
@@ -230,6 +231,7 @@ void ParameterFieldsTest::aListOfChoicesHasRoomForFingersAndNames()
     QVERIFY(choice->view()->isVisible());
     QVERIFY(choice->view()->sizeHintForRow(0) >= 24); // px, the least that is hit well
     choice->hidePopup();
+    QCOMPARE(choice->count(), 2);
     for (int i = 0; i < choice->count(); ++i)
         QVERIFY(choice->view()->width() >= choice->fontMetrics().horizontalAdvance(choice->itemText(i)));
 }
@@ -401,6 +403,19 @@ void ParameterFieldsTest::aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped
     QCOMPARE(box.text(), QString("0.70"));
     QCOMPARE(fixture.played.count(), played);
     QVERIFY(fixture.picture.hasFocus());
+}
+
+void ParameterFieldsTest::aDoubleClickSelectsTheWholeNumber()
+{
+    BesidePicture fixture;
+    auto *edit = fixture.box().findChild<QLineEdit *>();
+    for (int x = 2; x < edit->width(); x += 3) { // also beside the point
+        QTest::mouseDClick(edit, Qt::LeftButton, {}, {x, edit->height() / 2});
+        QCOMPARE(edit->selectedText(), QString("0.20"));
+    }
+    QTest::keyClicks(&fixture.box(), "0.3");
+    QTest::keyClick(&fixture.box(), Qt::Key_Return);
+    QCOMPARE(fixture.world.session.editor().parameter("k"), 0.3);
 }
 
 void ParameterFieldsTest::aClickElsewhereTakesTheTypedNumber()

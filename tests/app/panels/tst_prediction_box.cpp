@@ -368,6 +368,10 @@ void PredictionBoxTest::aButtonAboveTheThingsToTryLeadsToTheQuestion()
     QTest::keyClick(&field, Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.isShown("slow"), 30'000);
     QVERIFY(!button.isVisible()); // nothing is left to predict
+    QTRY_VERIFY(!button.sizePolicy().retainSizeWhenHidden());
+    fixture.session.openFollowing();
+    fixture.session.openPreceding();
+    QTRY_VERIFY(!button.isVisible() && !button.sizePolicy().retainSizeWhenHidden());
 }
 
 void PredictionBoxTest::theSummaryListsWhatWasPredicted()

@@ -109,6 +109,24 @@ private slots:
         QVERIFY(fixture.view.hasFocus());
     }
 
+    void theFirstPauseAfterTheStartLeavesTheCaret()
+    {
+        SessionFixture fixture(LessonLibrary::load({LESSON_DIR}));
+        fixture.session.openStep("sandbox", "build"); // before the panel is made, as when the program starts
+        RulePanel panel(fixture.session.run(), fixture.session.editor(), fixture.session.playback(),
+                        fixture.session.rule(), fixture.theme);
+        show(panel, {600, 500});
+        ListingEditor &editor = panel.editor();
+        editor.setFocus();
+        editor.setCursorPosition(5, static_cast<int>(editor.text(5).size()) - 1);
+        QTest::keyClicks(&editor, " ");
+        QTRY_VERIFY(!editor.isPending());
+        settle();
+        QTest::keyClicks(&editor, "// here");
+        QVERIFY2(editor.text(5).endsWith(" // here\n"), qPrintable(editor.text()));
+        panel.hide(); // takes what was typed
+    }
+
     void lessonsHaveNoSuchPage()
     {
         const WindowFixture fixture;

@@ -6,6 +6,7 @@
 #include "tests/app/scene/scene_support.h"
 #include "tests/suite.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
@@ -48,6 +49,8 @@ private slots:
     void stepsAreReadAsTyped();
     void theBarSetsMethodAndStep();
     void theBarTakesATypedStep();
+    void theMenuHasRoomToSayWhyAStepIsInvalid_data();
+    void theMenuHasRoomToSayWhyAStepIsInvalid();
     void theBarOffersTolerancesToAdaptiveMethods();
     void theBarZoomsTheView();
     void theBarFitsInEveryWidth_data();
@@ -111,6 +114,47 @@ void SceneBarTest::theBarTakesATypedStep()
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(fixture.session.timeline().script().step.h, 1.0 / 6.0);
     QVERIFY(button(bar, "Step 1/6 frame"));
+}
+
+void SceneBarTest::theMenuHasRoomToSayWhyAStepIsInvalid_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("why");
+    QTest::newRow("a number that is not allowed") << "0.3"
+                                                  << "The step 0.3 is not allowed.";
+    QTest::newRow("not a number") << "abc"
+                                  << "A whole number of frames, or 1 divided by a whole number";
+}
+
+void SceneBarTest::theMenuHasRoomToSayWhyAStepIsInvalid()
+{
+    QFETCH(QString, typed);
+    QFETCH(QString, why);
+    SceneFixture fixture;
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
+    bar.attach(fixture.view, fixture.fit);
+    bar.show();
+    auto *field = bar.findChild<QLineEdit *>();
+    auto *menu = qobject_cast<QMenu *>(field->parentWidget()->parentWidget());
+    QVERIFY(menu);
+    menu->popup({0, 0});
+    QTRY_VERIFY(field->isVisible());
+    QTest::keyClicks(field, typed);
+    QTest::keyClick(field, Qt::Key_Return);
+    auto *sentence = menu->findChild<QLabel *>("caption");
+    QTRY_VERIFY(sentence->isVisible());
+    QVERIFY2(sentence->text().startsWith(why), qPrintable(sentence->text()));
+    const auto placeOf = [menu](const QWidget *part) {
+        return QRect(part->mapTo(menu, QPoint()), part->size());
+    };
+    QTRY_VERIFY(menu->rect().contains(placeOf(sentence)));
+    QVERIFY(sentence->height() >= sentence->heightForWidth(sentence->width()));
+    QVERIFY(!placeOf(sentence).intersects(placeOf(field)));
+    menu->close();
+    menu->popup({0, 0});
+    QTRY_VERIFY(field->isVisible());
+    QVERIFY(!sentence->isVisible() && field->text().isEmpty());
+    menu->close();
 }
 
 void SceneBarTest::theBarOffersTolerancesToAdaptiveMethods()
@@ -186,7 +230,7 @@ void SceneBarTest::theBarFitsInEveryWidth()
         QVERIFY(one->height() >= 24);
         end = one->geometry().right();
     }
-    QVERIFY(end < width);
+    QVERIFY(end > 0 && end < width);
 }
 
 void SceneBarTest::theCaptionOfTheStepStaysLongest()

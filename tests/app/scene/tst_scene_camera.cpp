@@ -30,6 +30,11 @@ private slots:
     void aSignAtTheEdgeBringsABodyBack();
     void aRoomStandsAtTheBottomOfItsView();
     void insideAFrameASmallCreatureIsEnlarged();
+    void legendAndCaptionCoverNoBodyThatHasSwumAway_data();
+    void legendAndCaptionCoverNoBodyThatHasSwumAway();
+    void aRunBeginsWithItsTargetInView();
+    void bodiesThatFlyOffDoNotMakeTheFirstViewSmall_data();
+    void bodiesThatFlyOffDoNotMakeTheFirstViewSmall();
 };
 
 void SceneCameraTest::theWheelZoomsAroundThePointer()
@@ -254,6 +259,73 @@ void SceneCameraTest::insideAFrameASmallCreatureIsEnlarged()
     const double chosen = fixture.view.zoom();
     fixture.session.playback().phaseForward();
     QCOMPARE(fixture.view.zoom(), chosen);
+}
+
+namespace {
+
+/// Returns the step `id` of a lesson of the program, alone.
+std::vector<lessons::Step> lessonStep(const QString &of, const QString &id)
+{
+    static const LessonLibrary library = LessonLibrary::load({LESSON_DIR}); // keeps the plugin loaded
+    for (const LessonEntry &lesson : library.lessons) {
+        for (const lessons::Step &step : lesson.steps) {
+            if (lesson.id == of && step.id == id)
+                return {step};
+        }
+    }
+    return {};
+}
+
+}
+
+void SceneCameraTest::legendAndCaptionCoverNoBodyThatHasSwumAway_data()
+{
+    QTest::addColumn<sim::Vec2>("to");
+    QTest::newRow("to the right and down") << sim::Vec2{420, 330};
+    QTest::newRow("down") << sim::Vec2{200, 360};
+    QTest::newRow("up") << sim::Vec2{180, 30};
+}
+
+void SceneCameraTest::legendAndCaptionCoverNoBodyThatHasSwumAway()
+{
+    QFETCH(sim::Vec2, to);
+    SceneFixture fixture(lessonStep("codeling", "motor"));
+    fixture.session.input().setTarget(to);
+    fixture.goTo(100);
+    const auto isClear = [&](int above) {
+        const double radius = fixture.session.presentation().picture().view->bodies.front().radius *
+                              fixture.view.zoom() / 100.0;
+        const QRectF view = QRectF(fixture.view.viewport()->rect())
+                                .adjusted(20.0 + radius, above + radius, -20.0 - radius, -50.0 - radius);
+        return view.contains(fixture.onScreen("lead")); // 50 px: two lines of the legend
+    };
+    QVERIFY(isClear(20));
+    fixture.session.playback().phaseForward(); // a line of text at the top
+    QVERIFY(isClear(34));
+}
+
+void SceneCameraTest::aRunBeginsWithItsTargetInView()
+{
+    SceneFixture fixture(lessonStep("codeling", "motor"));
+    fixture.session.editor().setParameter("target_x", 400.0);
+    QTRY_COMPARE(fixture.session.timeline().state().input.target.x, 400.0);
+    const QPointF target = fixture.view.viewportTransform().map(QPointF(400, 200));
+    QVERIFY2(QRectF(fixture.view.viewport()->rect()).adjusted(20, 20, -20, -20).contains(target),
+             qPrintable(QString::number(target.x())));
+}
+
+void SceneCameraTest::bodiesThatFlyOffDoNotMakeTheFirstViewSmall_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::newRow("springs that contradict") << "contradiction";
+    QTest::newRow("too many feet") << "many_feet";
+}
+
+void SceneCameraTest::bodiesThatFlyOffDoNotMakeTheFirstViewSmall()
+{
+    QFETCH(QString, step);
+    const SceneFixture fixture(lessonStep("hard_cases", step));
+    QVERIFY2(fixture.view.zoom() > 100.0, qPrintable(QString::number(fixture.view.zoom())));
 }
 
 SUITE(tst_scene_camera, SceneCameraTest)

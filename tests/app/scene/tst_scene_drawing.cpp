@@ -7,8 +7,10 @@
 #include "sim/effects/springs/springs.h"
 #include "tests/app/scene/drawn_scenes.h"
 #include "tests/app/scene/scene_support.h"
+#include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 
+#include <QSettings>
 #include <QtTest>
 
 #include <cmath>
@@ -23,6 +25,7 @@ class SceneDrawingTest : public QObject
 private slots:
     void captionsSayWhatIsDone_data();
     void captionsSayWhatIsDone();
+    void theCaptionNamesWhatHasMovedPoints();
     void pullsAreDrawnInsideAFrameOnly();
     void eachExtraChangesThePicture_data();
     void eachExtraChangesThePicture();
@@ -81,6 +84,17 @@ void SceneDrawingTest::captionsSayWhatIsDone()
     fixture.session.editor().setStepSize(h);
     fixture.session.playback().goTo({2, phase});
     QCOMPARE(fixture.view.caption(), caption);
+}
+
+void SceneDrawingTest::theCaptionNamesWhatHasMovedPoints()
+{
+    QSettings().setValue("code/page", "engine"); // a key goes to the next phase, and not to the next line
+    tests::WindowFixture fixture({.lesson = "rigid_constraint", .step = "pair"});
+    QSettings().remove("code/page");
+    QTest::mousePress(fixture.view.viewport(), Qt::LeftButton, {}, fixture.onScreen("p0") + QPoint(80, 40));
+    fixture.key(Qt::Key_Right, Qt::ShiftModifier);
+    QCOMPARE(fixture.view.caption(),
+             QString("Inside frame 0: after pointer, points have moved directly, without a velocity."));
 }
 
 void SceneDrawingTest::pullsAreDrawnInsideAFrameOnly()

@@ -41,6 +41,7 @@ private slots:
     void aLabelDoesNotJumpToAndFro();
     void aPredictionCoversNothing_data();
     void aPredictionCoversNothing();
+    void theLineToAPredictionLeavesTheNameReadable();
     void aPullThatIsNotSeenHasNoName();
     void whatABoxCoversOfALine_data();
     void whatABoxCoversOfALine();
@@ -111,8 +112,9 @@ void SceneLabelsTest::namesKeepApart()
     const std::vector<OverlayLabel> labels = overlayLabels(shown, camera, fixture.theme, view);
     QCOMPARE(labels.size(), 1U);
     QVERIFY(!labels[0].box.intersects(name));
-    for (const QRectF &body : bodyBoxes(shown, camera))
-        QVERIFY(!labels[0].box.intersects(body));
+    const auto bodies = bodyBoxes(shown, camera);
+    QCOMPARE(bodies.size(), 1U);
+    QVERIFY(!labels[0].box.intersects(bodies[0]));
 }
 
 void SceneLabelsTest::aNameCoversNoArrow_data()
@@ -276,6 +278,29 @@ void SceneLabelsTest::aPredictionCoversNothing()
     QVERIFY(view.contains(label.box));
     QVERIFY(!label.box.contains(camera.at(said)) && !label.box.contains(camera.at(foot)));
     QVERIFY(label.text.contains(QString::number(std::lround(sim::length(said - foot)))));
+}
+
+void SceneLabelsTest::theLineToAPredictionLeavesTheNameReadable()
+{
+    SceneFixture fixture("lone");
+    SceneContent shown;
+    shown.picture = fixture.session.presentation().picture();
+    shown.text = fixture.theme.ui(12);
+    shown.selected = 0;
+    const Camera camera(fixture.view.viewportTransform());
+    const QRectF view(fixture.view.viewport()->rect());
+    const SceneContent noCompanion;
+    const QRectF name = nameBox(shown, camera, view);
+    const sim::Vec2 foot = shown.state().positionOf(0), said = foot + sim::Vec2{0, 180};
+    const QLineF whole(camera.at(said), camera.at(foot));
+    QVERIFY(lengthWithin(whole, name) > 0.0);
+    const std::vector<QRectF> texts = Hud(shown, noCompanion, fixture.theme).textBoxes(camera, view);
+    const std::vector<QLineF> lines = predictionLines({said, foot}, camera, texts);
+    QCOMPARE(lines.size(), 2U);
+    QCOMPARE(lines.front().p1(), whole.p1());
+    QCOMPARE(lines.back().p2(), whole.p2());
+    for (const QLineF &line : lines)
+        QCOMPARE(lengthWithin(line, name), 0.0);
 }
 
 void SceneLabelsTest::aPullThatIsNotSeenHasNoName()

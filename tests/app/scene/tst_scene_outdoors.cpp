@@ -86,6 +86,7 @@ private slots:
     void theGroundLiesWhereItSays();
     void distancesScrollWithThePicture();
     void noDistanceIsCutAtTheEdge();
+    void aNameHidesNoPartOfADistance();
     void thePictureFollowsWhatWalks();
     void thePictureStaysWhileItsWalkerIsInTheMiddle();
     void whoMovesThePictureIsNotPulledBack();
@@ -150,6 +151,30 @@ void SceneOutdoorsTest::distancesScrollWithThePicture()
     fixture.move({40 - 137, 60}, Qt::MiddleButton);
     fixture.release({40 - 137, 60}, Qt::MiddleButton);
     QVERIFY(agree(ticks(), expected()));
+}
+
+void SceneOutdoorsTest::aNameHidesNoPartOfADistance()
+{
+    sim::Scene scene = scenes::pointsAt({{300, 385}});
+    View view = drawn_scenes::feetOnly(scene);
+    view.bodies[0] = {Shape::body, 15.0};
+    view.ground = 400.0;
+    SceneFixture fixture({drawn_scenes::step("stand", scene, view)});
+    const QImage image = fixture.image();
+    const int top = static_cast<int>(std::round(onScreen(fixture, {0, 400}).y())) + 15; // below the ticks
+    // The left part of a number: the name begins 8 px left of the middle.
+    const auto dark = [&](double place) {
+        const int middle = static_cast<int>(std::round(onScreen(fixture, {place, 0}).x()));
+        int count = 0;
+        for (int y = top; y < top + 16; ++y) {
+            for (int x = middle - 24; x < middle - 9; ++x)
+                count += qGray(image.pixel(x, y)) < 190 ? 1 : 0;
+        }
+        return count;
+    };
+    QVERIFY(dark(200) > 0);
+    QVERIFY(dark(400) > 0);
+    QCOMPARE(dark(300), 0);
 }
 
 void SceneOutdoorsTest::noDistanceIsCutAtTheEdge()

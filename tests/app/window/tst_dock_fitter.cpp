@@ -196,7 +196,7 @@ private slots:
     void inTheSmallestWindowTheModesHaveTheirNames_data()
     {
         QTest::addColumn<QString>("language");
-        for (const char *language : {"", "de"})
+        for (const char *language : {"", "de", "es", "fr"})
             QTest::newRow(*language ? language : "en") << QString(language);
     }
 
@@ -207,7 +207,9 @@ private slots:
         fixture.window.resize(fixture.window.minimumSize());
         settle();
         QCOMPARE(fixture.window.size(), fixture.window.minimumSize());
-        for (const auto *mode : fixture.part<QFrame>("modes").findChildren<QToolButton *>("mode"))
+        const auto modes = fixture.part<QFrame>("modes").findChildren<QToolButton *>("mode");
+        QCOMPARE(modes.size(), 3);
+        for (const QToolButton *mode : modes)
             QVERIFY2(mode->width() >= mode->sizeHint().width(), qPrintable(mode->text()));
         const auto &more = fixture.part<QToolButton>("qt_menubar_ext_button");
         QVERIFY(more.isVisible() && more.iconSize().width() <= more.width());

@@ -7,6 +7,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QtTest>
 
 using namespace app;
@@ -182,16 +183,38 @@ private slots:
         QVERIFY(notice.isHidden());
     }
 
+    void undoIsNamedOnlyIfThereIsSomethingToUndo()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("mistake.json");
+        WindowFixture fixture({"single_spring", "radial"});
+        fixture.session.code().write(
+            fixture.session.code().text().replace("*= damp;", "*= damp; int zero = 0; int one = 1 / zero;"));
+        fixture.session.playback().frameForward();
+        const auto &hint = *fixture.part<FailureNotice>().findChild<QLabel *>("caption");
+        QCOMPARE(hint.text(),
+                 QString("Correct this line, and the run goes on. Undo reverts your last change."));
+        QVERIFY(fixture.window.saveFile(path));
+        fixture.window.openFile(path); // an opened run has no changes to undo
+        fixture.session.playback().frameForward();
+        QTRY_VERIFY(fixture.session.timeline().stop());
+        QTRY_COMPARE(hint.text(), QString("Correct this line, and the run goes on."));
+    }
+
     void whereNothingHelpsItSaysSo()
     {
         FailureFixture fixture;
-        fixture.session.editor().setParameter("k", 1e9);
-        fixture.session.editor().setParameter("damp", 1.0);
-        fixture.session.editor().setMethod("explicit_euler");
+        sim::Script script = fixture.run().script(); // a hand so fast that its velocity is not finite
+        script.input = {{1, sim::Grab{"foot1"}}, {1, sim::Move{{1e308, 0.0}}}, {2, sim::Move{{-1e308, 0.0}}}};
+        QVERIFY(fixture.session.editor().setUp({"a fast hand", {}, {}}, script, RunEditor::Maker::learner));
         QVERIFY(fixture.stops() && fixture.findsRemedies());
-        QVERIFY(!fixture.button("Use a step") && !fixture.button("Damp more"));
-        if (fixture.failure.search().found().empty())
-            QVERIFY(fixture.failure.findChild<QLabel *>("caption")->isVisible());
+        const auto &hint = *fixture.failure.findChild<QLabel *>("caption");
+        QCOMPARE(hint.text(),
+                 QString("No smaller step and no other method was found to be stable. Go back, and "
+                         "undo the change that caused this."));
+        QVERIFY(!hint.isHidden());
+        QVERIFY(fixture.failure.isVisible());
+        QCOMPARE(fixture.failure.findChildren<QPushButton *>().size(), 0);
     }
 };
 

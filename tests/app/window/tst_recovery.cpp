@@ -97,6 +97,7 @@ private slots:
     void everyStepThatWasChangedIsKept();
     void whatIsSavedOrUndoneIsKeptNoLonger();
     void whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas();
+    void onlyTheLastProgramIsSaidToHaveCrashed();
     void aRunThatIsNamedIsKeptAndComesBack();
     void whatIsForgottenIsNotOfferedAgain();
     void aClosedNoticeForgetsNothing();
@@ -204,6 +205,25 @@ void RecoveryTest::whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas()
     // It is kept by the program that has it now, and by no other.
     QCOMPARE(scenesIn(folder.path()).size(), 1);
     QVERIFY(!QDir(folder.path() + "/of-another-program").exists());
+}
+
+void RecoveryTest::onlyTheLastProgramIsSaidToHaveCrashed()
+{
+    const QTemporaryDir folder;
+    {
+        WindowFixture killed({"multi_foot", "two_feet"});
+        killed.drag("foot0", {40, 10});
+        leave(folder.path(), killed.session.experiment(), killed.library);
+    }
+    {
+        WindowFixture closed;
+        closed.window.autosaveIn(folder.path(), soon);
+        QVERIFY(closed.notice.sentence().startsWith("Springstep did not close normally."));
+        closed.session.editor().setParameter("k", 0.3);
+    }
+    WindowFixture next;
+    next.window.autosaveIn(folder.path(), soon);
+    QCOMPARE(next.notice.sentence(), QString("2 unsaved scenes can be recovered."));
 }
 
 void RecoveryTest::aRunThatIsNamedIsKeptAndComesBack()

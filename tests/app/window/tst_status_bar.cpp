@@ -1,5 +1,6 @@
 // What the status bar says, and for how long.
 
+#include "app/ui/parameters/number_box.h"
 #include "app/ui/status/status_figures.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
@@ -28,8 +29,11 @@ private slots:
     void theStatusBarTellsTheWorkOfAFrame();
     void theStatusBarTellsWhatWasMeasuredAndNothingElse();
     void figuresGiveWayToASentenceThatNeedsTheirRoom();
+    void pointsAreThoseOfThePicture();
+    void theRangeOfAParameterIsThereToRead();
     void aSentenceIsThereWhileTheRunPlaysOn();
     void aSentenceGivesWayWhenTheLearnerGoesOn();
+    void aSentenceOfThePauseGivesWayWhenTheRunPlays();
 };
 
 void StatusBarTest::theStatusBarTellsTheWorkOfAFrame_data()
@@ -92,6 +96,32 @@ void StatusBarTest::figuresGiveWayToASentenceThatNeedsTheirRoom()
     QTRY_VERIFY(sentence.width() >= sentence.sizeHint().width());
 }
 
+void StatusBarTest::pointsAreThoseOfThePicture()
+{
+    WindowFixture fixture({"multi_foot", "any_number"});
+    fixture.goTo(3);
+    fixture.session.editor().setParameter("feet", 1); // seen at once, although it acts on the next frame
+    QCOMPARE(fixture.session.presentation().picture().state.pointCount(), 2);
+    QCOMPARE(fixture.part<StatusFigures>().figures().front(), QString("2 points"));
+    fixture.session.playback().frameForward();
+    QCOMPARE(fixture.part<StatusFigures>().figures().front(), QString("2 points"));
+}
+
+void StatusBarTest::theRangeOfAParameterIsThereToRead()
+{
+    WindowFixture fixture({"multi_foot", "any_number"});
+    fixture.goTo(3);
+    for (NumberBox *box : fixture.window.findChildren<NumberBox *>()) {
+        if (box->accessibleName() != "Feet")
+            continue;
+        box->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(box, Qt::Key_0);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+    QCOMPARE(fixture.session.editor().parameter("feet"), 1.0);
+    QCOMPARE(shownIn(fixture), QString("Feet can be 1 to 100."));
+}
+
 void StatusBarTest::aSentenceIsThereWhileTheRunPlaysOn()
 {
     WindowFixture fixture;
@@ -112,6 +142,16 @@ void StatusBarTest::aSentenceGivesWayWhenTheLearnerGoesOn()
     QVERIFY2(shownIn(fixture).startsWith("Undone:"), qPrintable(shownIn(fixture)));
     fixture.session.playback().phaseForward();
     QVERIFY2(shownIn(fixture).startsWith("Inside frame 0"), qPrintable(shownIn(fixture)));
+}
+
+void StatusBarTest::aSentenceOfThePauseGivesWayWhenTheRunPlays()
+{
+    WindowFixture fixture;
+    Playback &playback = fixture.session.playback();
+    playback.reportIfPaused();
+    QVERIFY2(shownIn(fixture).startsWith("The run is paused."), qPrintable(shownIn(fixture)));
+    playback.play();
+    QVERIFY2(shownIn(fixture).startsWith("Playing."), qPrintable(shownIn(fixture)));
 }
 
 SUITE(tst_status_bar, StatusBarTest)

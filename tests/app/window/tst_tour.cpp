@@ -77,7 +77,7 @@ void TourTest::itGoesThroughAllCards()
     QFETCH(bool, byKey);
     TourFixture fixture;
     fixture.window.introduction().startTour();
-    QVERIFY(fixture.tour().count() >= 5 && fixture.tour().count() <= 7);
+    QCOMPARE(fixture.tour().count(), std::size_t(7));
     QStringList titles;
     for (std::size_t i = 0; i < fixture.tour().count(); ++i) {
         QVERIFY(fixture.tour().isRunning());

@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace app;
@@ -52,6 +53,7 @@ private slots:
     void theKeySwitchesItAndTheChoiceIsRemembered();
     void eachChangePaintsItOnce();
     void itCoversNoBodyIfItCanHelpIt();
+    void itCoversNoLegend();
     void itIsHiddenWhereItWouldHideTheWholeFigure();
     void screenReadersGetTheNumbers();
 };
@@ -213,6 +215,29 @@ void UnitCircleTest::itCoversNoBodyIfItCanHelpIt()
     const QPoint corner = fixture.circle().geometry().center();
     fixture.drag("foot", corner - fixture.onScreen("foot"));
     QVERIFY(!isCovered("foot") && !isCovered("body"));
+    QVERIFY(fixture.circle().isVisible());
+}
+
+void UnitCircleTest::itCoversNoLegend()
+{
+    QSettings().setValue("code/page", "engine");
+    WindowFixture fixture({.lesson = "walking_gait", .step = "bones", .size = {1280, 800}});
+    const auto &circle = fixture.part<UnitCircle>();
+    const auto isBelow = [&] { return circle.geometry().top() > fixture.view.height() / 2; };
+    const QPoint top(fixture.view.width() / 2, 80);
+    fixture.drag("body", top - fixture.onScreen("body"));
+    QVERIFY(isBelow());
+    fixture.key(Qt::Key_Home);
+    fixture.key(Qt::Key_Right, Qt::ShiftModifier);
+    int rows = 0;
+    for (int width = fixture.view.width(); width > 480; width -= 10) {
+        fixture.view.resize(width, fixture.view.height());
+        const QRectF legend = fixture.view.legendBox();
+        rows = std::max(rows, static_cast<int>(legend.height() / 20.0));
+        QVERIFY2(!circle.isVisible() || !legend.intersects(QRectF(circle.geometry())),
+                 qPrintable(QString::number(width)));
+    }
+    QCOMPARE(rows, 2); // in narrow views
 }
 
 void UnitCircleTest::itIsHiddenWhereItWouldHideTheWholeFigure()

@@ -6,6 +6,7 @@
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/engine/code_card.h"
 #include "app/ui/code/engine/code_view.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/theme/icon_button.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -28,9 +29,7 @@ CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
       m_stops(new BreakpointList(session.run(), session.playback(), theme, this)),
       m_card(new CodeCard(theme, this))
 {
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    QVBoxLayout *layout = makeColumn(this);
     layout->addWidget(m_view, 1);
     layout->addWidget(m_stops);
     setFocusProxy(m_view);
@@ -126,9 +125,8 @@ void CodePanel::rebuild()
     m_listing = std::move(listing);
     m_view->setListing(m_listing);
     m_view->setSpots(parameterSpots(m_listing, *m_step, *m_interval));
-    m_shownSymbol.reset();
     m_ranTo.reset();
-    m_card->hide();
+    hideCard();
     closeEditor();
     m_pace.reset();
     m_begun = false;
@@ -230,7 +228,7 @@ void CodePanel::showGoneLines(bool shown)
 {
     m_view->setGone(shown ? Gone::shown : Gone::hidden);
     closeEditor();
-    m_card->hide();
+    hideCard();
 }
 
 }

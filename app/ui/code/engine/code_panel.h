@@ -3,6 +3,7 @@
 #include "app/model/code/code_history.h"
 #include "app/model/code/code_marks.h"
 #include "app/model/session/session.h"
+#include "app/ui/code/parameter_drag.h"
 #include "app/ui/code/title_actions.h"
 #include "app/ui/dock/number_pace.h"
 
@@ -52,11 +53,6 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    struct Drag
-    {
-        ParameterSpot spot;
-        double from;
-    };
     /// A line that the learner ran to, and the position of the run there.
     struct RanTo
     {
@@ -76,7 +72,7 @@ private:
     void showBreakpoints();
     void toggleStop(std::size_t row);
     void runTo(std::size_t row);
-    const lessons::Parameter *parameterOf(const ParameterSpot &spot) const;
+    std::optional<std::size_t> rowOf(const ParameterSpot &spot) const;
     void takeNumber(const ParameterSpot &spot);
     void dragNumber(int pixels, bool fine);
     void leaveNumber(bool keep);
@@ -85,6 +81,7 @@ private:
     void closeEditor();
     void askSymbol(std::size_t row, qsizetype column);
     void showCard();
+    void hideCard();
     QString whose(const CodeSymbol &symbol) const;
     void pointAt(std::optional<std::size_t> row);
     void followPreview();
@@ -107,7 +104,8 @@ private:
     CodeView *m_view;
     BreakpointList *m_stops;
     CodeCard *m_card;
-    std::optional<Drag> m_drag;               ///< the number being dragged
+    ParameterDrag m_drag{m_session.run(), m_session.editor()};
+    ParameterSpot m_dragged;                  ///< the number that was dragged last
     std::optional<ShownSymbol> m_shownSymbol; ///< the symbol on the card
     QPointer<QLineEdit> m_editor;             ///< editor of the number being typed over
     QString m_edited;                         ///< id of its parameter

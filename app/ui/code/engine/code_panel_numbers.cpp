@@ -35,68 +35,47 @@ void CodePanel::connectNumbers()
         // The editor and the card belong to a word that has now moved.
         connect(bar, &QScrollBar::valueChanged, this, [this] {
             closeEditor();
-            m_shownSymbol.reset();
-            m_card->hide();
+            hideCard();
         });
     }
-    connect(m_view, &CodeView::symbolDropped, this, [this] {
-        m_shownSymbol.reset();
-        m_card->hide();
-    });
+    connect(m_view, &CodeView::symbolDropped, this, &CodePanel::hideCard);
 }
 
-const lessons::Parameter *CodePanel::parameterOf(const ParameterSpot &spot) const
+std::optional<std::size_t> CodePanel::rowOf(const ParameterSpot &spot) const
 {
-    return m_step->parameter(spot.word.parameter);
+    const std::vector<CodeRow> &rows = m_view->rows();
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const CodeRow &one) {
+        return one.kind == CodeRow::Kind::code && one.section == spot.section && one.line == spot.line;
+    });
+    return row == rows.end() ? std::nullopt : std::optional(static_cast<std::size_t>(row - rows.begin()));
 }
 
 void CodePanel::takeNumber(const ParameterSpot &spot)
 {
     closeEditor();
-    const lessons::Parameter *parameter = parameterOf(spot);
-    if (!parameter)
-        return;
-    m_session.editor().endGesture();
-    m_drag = Drag{spot, m_session.editor().parameter(parameter->id)};
+    m_dragged = spot;
+    m_drag.take(spot.word.parameter);
 }
 
 void CodePanel::dragNumber(int pixels, bool fine)
 {
-    const lessons::Parameter *parameter = m_drag ? parameterOf(m_drag->spot) : nullptr;
-    if (!parameter ||
-        // a parameter that restarts the run is typed, because dragging would restart the run at every value
-        parameter->restartsRun)
+    if (!m_drag.drag(pixels, fine))
         return;
-    m_session.editor().setParameter(
-        parameter->id, draggedValue(*parameter, m_drag->from, (fine ? finePixel : 1.0) * pixels));
-    for (std::size_t row = 0; row < m_view->rows().size(); ++row) {
-        const CodeRow &its = m_view->rows()[row];
-        if (its.kind == CodeRow::Kind::code && its.section == m_drag->spot.section &&
-            its.line == m_drag->spot.line)
-            askSymbol(row, m_drag->spot.word.from);
-    }
+    if (const std::optional<std::size_t> row = rowOf(m_dragged))
+        askSymbol(*row, m_dragged.word.from);
 }
 
 void CodePanel::leaveNumber(bool keep)
 {
-    if (!m_drag)
-        return;
-    if (!keep)
-        m_session.editor().setParameter(m_drag->spot.word.parameter, m_drag->from);
-    m_session.editor().endGesture();
-    m_drag.reset();
-    m_shownSymbol.reset();
-    m_card->hide();
+    if (m_drag.leave(keep))
+        hideCard();
 }
 
 void CodePanel::editNumber(const ParameterSpot &spot)
 {
-    const lessons::Parameter *parameter = parameterOf(spot);
-    const auto &rows = m_view->rows();
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const CodeRow &one) {
-        return one.kind == CodeRow::Kind::code && one.section == spot.section && one.line == spot.line;
-    });
-    if (!parameter || row == rows.end())
+    const lessons::Parameter *parameter = m_step->parameter(spot.word.parameter);
+    const std::optional<std::size_t> row = rowOf(spot);
+    if (!parameter || !row)
         return;
     leaveNumber(true);
     closeEditor();
@@ -110,7 +89,7 @@ void CodePanel::editNumber(const ParameterSpot &spot)
     m_editor->setAccessibleName(parameter->unit.isEmpty() ? parameter->name
                                                           : parameter->name + ", " + parameter->unit);
     m_editor->setToolTip(tr("%1 Press Enter to apply, Esc to cancel.").arg(parameter->help));
-    const QRect word = m_view->wordRect(static_cast<std::size_t>(row - rows.begin()), spot.word);
+    const QRect word = m_view->wordRect(*row, spot.word);
     const int left = std::clamp(word.left() - 6, 0, std::max(0, m_view->viewport()->width() - editorWidth));
     const QPoint corner(left, word.center().y() - editorHeight / 2);
     m_editor->setGeometry({m_view->viewport()->mapTo(this, corner), QSize(editorWidth, editorHeight)});
@@ -177,16 +156,13 @@ void CodePanel::hideEvent(QHideEvent *event)
     QWidget::hideEvent(event);
     leaveNumber(true);
     closeEditor();
-    m_shownSymbol.reset();
-    m_card->hide();
+    hideCard();
 }
 
 bool CodePanel::event(QEvent *event)
 {
-    if (event->type() == QEvent::WindowDeactivate) { // it would otherwise stay on top of other programs
-        m_shownSymbol.reset();
-        m_card->hide();
-    }
+    if (event->type() == QEvent::WindowDeactivate)
+        hideCard(); // it would otherwise stay on top of other programs
     return QWidget::event(event);
 }
 
@@ -216,6 +192,12 @@ QString CodePanel::whose(const CodeSymbol &symbol) const
     const sim::Pipeline &pipeline = m_interval->pipeline;
     const QString phase = phrase(pipeline.phases[static_cast<std::size_t>(symbol.phase)].title);
     return tr("Of %1, in “%2”.").arg(bodyTitle(m_session.selected()), phase);
+}
+
+void CodePanel::hideCard()
+{
+    m_shownSymbol.reset();
+    m_card->hide();
 }
 
 void CodePanel::showCard()

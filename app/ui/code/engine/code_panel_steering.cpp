@@ -43,17 +43,16 @@ void CodePanel::toggleStop(std::size_t row)
         return; // the code has changed since the menu opened
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     const CodePlace place = m_view->placeOf(row);
-    if (section.role == CodeSection::Role::scene && !m_session.playback().breakpoints().at(place)) {
+    Breakpoints &breakpoints = m_session.playback().breakpoints();
+    if (section.role != CodeSection::Role::phase && !breakpoints.at(place)) {
         m_session.showMessage(
-            tr("This line sets the scene up, before the first frame. Choose a line of a phase to stop at."));
+            section.role == CodeSection::Role::scene
+                ? tr("This line sets the scene up, before the first frame. Choose a line of a phase to stop "
+                     "at.")
+                : tr("This line says in which order phases run. Choose a line of a phase to stop at."));
         return;
     }
-    if (section.role == CodeSection::Role::order && !m_session.playback().breakpoints().at(place)) {
-        m_session.showMessage(
-            tr("This line says in which order phases run. Choose a line of a phase to stop at."));
-        return;
-    }
-    const bool isSet = m_session.playback().breakpoints().toggle(place);
+    const bool isSet = breakpoints.toggle(place);
     const QString where = tr("%1, line %2").arg(fileName(place.file)).arg(place.line);
     m_session.showMessage(isSet ? tr("Stops before %1.").arg(where)
                                 : tr("No longer stops before %1.").arg(where));
@@ -110,12 +109,12 @@ QMenu *CodePanel::menuFor(std::size_t row)
         connect(menu->addAction(stop ? tr("Remove breakpoint") : tr("Set breakpoint")), &QAction::triggered,
                 this, [this, row] { toggleStop(row); });
         connect(menu->addAction(tr("Set breakpoint when…")), &QAction::triggered, this, [this, row] {
+            const Breakpoints &breakpoints = m_session.playback().breakpoints();
             const CodePlace place = m_view->placeOf(row);
-            if (!m_session.playback().breakpoints().at(place))
+            if (!breakpoints.at(place))
                 toggleStop(row);
-            if (!m_session.playback().breakpoints().at(place))
-                return;
-            m_stops->edit(m_session.playback().breakpoints().at(place)->id);
+            if (const Breakpoint *stop = breakpoints.at(place))
+                m_stops->edit(stop->id);
         });
         menu->addSeparator();
     }

@@ -97,11 +97,10 @@ void CodeView::styleText()
         inks += m_rows[row].inks + '\0';
         send(*this, SCI_SETFOLDLEVEL, row, foldLevel(m_rows[row]));
         if (const CodeLine *shown = line(m_rows[row]))
-            SendScintilla(SCI_MARGINSETTEXT, row, QByteArray::number(shown->source.number).constData());
+            send(*this, SCI_MARGINSETTEXT, row, QByteArray::number(shown->source.number));
     }
-    const auto length = static_cast<std::size_t>(send(*this, SCI_GETLENGTH));
-    send(*this, SCI_STARTSTYLING, 0);
-    SendScintilla(SCI_SETSTYLINGEX, length, inks.constData());
+    send(*this, SCI_STARTSTYLING);
+    send(*this, SCI_SETSTYLINGEX, send(*this, SCI_GETLENGTH), inks);
 }
 
 void CodeView::setValues(std::vector<CodeChip> chips, std::vector<SectionMark> marks)
@@ -132,18 +131,11 @@ void CodeView::setSpots(std::vector<ParameterSpot> spots)
 
 void CodeView::underlineSpots()
 {
-    send(*this, SCI_SETINDICATORCURRENT, spotIndicator);
-    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    startIndicator(*this, spotIndicator);
     for (std::size_t row = 0; row < m_rows.size(); ++row) {
         for (const CodeWord &word : wordsOfRow(row)) {
-            if (!spotOf(row, word.from))
-                continue;
-            const long start = send(*this, SCI_POSITIONFROMLINE, row);
-            const auto bytes = [&](qsizetype columns) {
-                return static_cast<long>(m_rows[row].text.left(columns).toUtf8().size());
-            };
-            send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(start + bytes(word.from)),
-                 bytes(word.from + word.length) - bytes(word.from));
+            if (spotOf(row, word.from))
+                fillIndicator(*this, positionOf(row, word.from), positionOf(row, word.from + word.length));
         }
     }
 }
@@ -151,8 +143,7 @@ void CodeView::underlineSpots()
 void CodeView::applyMarks()
 {
     markerDeleteAll();
-    send(*this, SCI_SETINDICATORCURRENT, toComeIndicator);
-    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    startIndicator(*this, toComeIndicator);
     for (std::size_t row = 0; row < m_rows.size(); ++row)
         markRow(row);
 }
@@ -167,11 +158,8 @@ void CodeView::markRow(std::size_t row)
         markerAdd(static_cast<int>(row), result ? lineText : regionText);
         markerAdd(static_cast<int>(row), result ? lineMargin : regionMargin);
     }
-    if (isToCome(row) || isQuiet(row)) {
-        const long start = send(*this, SCI_POSITIONFROMLINE, row);
-        const long end = send(*this, SCI_GETLINEENDPOSITION, row);
-        send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(start), end - start);
-    }
+    if (isToCome(row) || isQuiet(row))
+        fillIndicator(*this, positionOf(row, 0), send(*this, SCI_GETLINEENDPOSITION, row));
 }
 
 const SectionMark *CodeView::mark(const CodeRow &row) const

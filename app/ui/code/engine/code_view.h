@@ -4,9 +4,8 @@
 #include "app/model/code/code_marks.h"
 #include "app/model/code/code_symbols.h"
 #include "app/ui/code/engine/code_rows.h"
+#include "app/ui/code/scintilla_style.h"
 #include "app/ui/code/value_chip.h"
-
-#include <Qsci/qsciscintilla.h>
 
 #include <QSet>
 
@@ -86,7 +85,7 @@ public:
     /// Returns the background colour of a marked row; invalid if the row is not marked.
     QColor wash(std::size_t row) const;
     /// Returns the total width (px) of line numbers, symbols and colour bar.
-    static int marginsWidth();
+    static constexpr int marginsWidth() { return CodeMargins::text; }
     bool isToCome(std::size_t row) const;
     /// Returns whether a row is pale because a learner need not read it; see CodeLine.
     bool isQuiet(std::size_t row) const;
@@ -175,6 +174,8 @@ private:
     const CodeLine *line(const CodeRow &row) const;
     const CodeChip *chip(const CodeRow &row) const;
     bool isResult(const CodeRow &row) const;
+    /// Returns Scintilla's position of a column of a row.
+    long positionOf(std::size_t row, qsizetype column) const;
     int rowHeight() const;
     int endOfText(std::size_t row) const;
     int endOfCode(std::size_t row) const; ///< like endOfText(), without a trailing comment
@@ -186,7 +187,6 @@ private:
     void paintChevron(QPainter &painter, std::size_t row) const;
     void paintSymbol(QPainter &painter, std::size_t row) const;
     void paintSign(QPainter &painter, std::size_t row, const QString &sign, const QColor &ink) const;
-    void paintStop(QPainter &painter, std::size_t row, const Breakpoint &breakpoint) const;
     const Breakpoint *breakpoint(std::size_t row) const;
     void paintChip(QPainter &painter, std::size_t row) const;
     void paintFocus(QPainter &painter) const;

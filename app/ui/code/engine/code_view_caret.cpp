@@ -30,12 +30,16 @@ const Breakpoint *CodeView::breakpoint(std::size_t row) const
     return found == m_breakpoints.end() ? nullptr : &*found;
 }
 
+long CodeView::positionOf(std::size_t row, qsizetype column) const
+{
+    return send(*this, SCI_POSITIONFROMLINE, row) +
+           static_cast<long>(m_rows[row].text.left(column).toUtf8().size());
+}
+
 QRect CodeView::wordRect(std::size_t row, const CodeWord &word) const
 {
-    const long start = send(*this, SCI_POSITIONFROMLINE, row);
     const auto x = [&](qsizetype column) {
-        const long bytes = static_cast<long>(m_rows[row].text.left(column).toUtf8().size());
-        return static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, start + bytes));
+        return static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, positionOf(row, column)));
     };
     const QRect rect = rowRect(row);
     const int left = x(word.from);
@@ -156,13 +160,7 @@ void CodeView::actOnRow()
 
 void CodeView::askNumber()
 {
-    const std::vector<CodeWord> words = wordsOfRow(m_row);
-    if (m_word) {
-        if (const ParameterSpot *spot = spotOf(m_row, m_word->from))
-            emit numberRequested(*spot);
-        return;
-    }
-    for (const CodeWord &word : words) {
+    for (const CodeWord &word : m_word ? std::vector{*m_word} : wordsOfRow(m_row)) {
         if (const ParameterSpot *spot = spotOf(m_row, word.from)) {
             emit numberRequested(*spot);
             return;

@@ -69,7 +69,7 @@ void CodeView::scrollTo(std::size_t first, std::size_t row)
     // Scrolls the heading to the top if the row then still fits; otherwise centres the row.
     const long wanted =
         to - from < room ? (from < top ? from : std::min(from, to - room + 1)) : to - room / 2;
-    send(*this, SCI_SETFIRSTVISIBLELINE, static_cast<std::size_t>(std::max(0L, wanted)));
+    send(*this, SCI_SETFIRSTVISIBLELINE, std::max(0L, wanted));
 }
 
 void CodeView::showNow()
@@ -112,8 +112,7 @@ void CodeView::showPhases()
     });
     const std::size_t row = headingRow(static_cast<std::size_t>(phase - sections.begin()));
     if (row < m_rows.size())
-        send(*this, SCI_SETFIRSTVISIBLELINE,
-             static_cast<std::size_t>(send(*this, SCI_VISIBLEFROMDOCLINE, row)));
+        send(*this, SCI_SETFIRSTVISIBLELINE, send(*this, SCI_VISIBLEFROMDOCLINE, row));
 }
 
 void CodeView::showNextNew()
@@ -132,8 +131,7 @@ void CodeView::showNextNew()
             ++end;
         m_newRow = row;
         unfold(row);
-        send(*this, SCI_SETSEL, static_cast<std::size_t>(send(*this, SCI_GETLINEENDPOSITION, end - 1)),
-             send(*this, SCI_POSITIONFROMLINE, row));
+        send(*this, SCI_SETSEL, send(*this, SCI_GETLINEENDPOSITION, end - 1), positionOf(row, 0));
         scrollTo(row, end - 1);
         return;
     }

@@ -2,6 +2,7 @@
 
 #include "app/ui/actions/command.h"
 #include "app/ui/code/code_keys.h"
+#include "app/ui/theme/focus_ring.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -230,18 +231,10 @@ void CodeView::wheelEvent(QWheelEvent *event)
 void CodeView::focusInEvent(QFocusEvent *event)
 {
     QsciScintilla::focusInEvent(event);
-    switch (event->reason()) {
-    case Qt::MouseFocusReason:
-        m_byKeyboard = false;
-        break;
-    case Qt::TabFocusReason:
-    case Qt::BacktabFocusReason:
-    case Qt::ShortcutFocusReason:
+    if (isByKeyboard(event->reason()))
         m_byKeyboard = true;
-        break;
-    default: // the window or a menu came or went: as it was
-        break;
-    }
+    else if (event->reason() == Qt::MouseFocusReason)
+        m_byKeyboard = false; // other reasons, a window or a menu that came or went, leave it as it was
     viewport()->update();
 }
 

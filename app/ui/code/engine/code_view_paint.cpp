@@ -1,6 +1,7 @@
 #include "app/ui/code/code_colors.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/engine/code_view.h"
+#include "app/ui/code/margin_marks.h"
 #include "app/ui/theme/theme.h"
 
 #include <QPaintEvent>
@@ -14,18 +15,10 @@ namespace app {
 
 namespace {
 
-// From the left: line numbers, symbols, the effect's colour, a gap.
-constexpr int symbolLeft = 30;
-constexpr int barLeft = 43;
-constexpr int barWidth = 3;
-constexpr int textLeft = 53;
+using Margins = CodeMargins;
+
 constexpr int noteRight = 12;
 
-}
-
-int CodeView::marginsWidth()
-{
-    return textLeft;
 }
 
 int CodeView::rowHeight() const
@@ -88,7 +81,7 @@ void CodeView::paintRow(QPainter &painter, std::size_t row) const
     if (its.kind == CodeRow::Kind::gap)
         return;
     const QRect rect = rowRect(row);
-    painter.fillRect(QRect(barLeft, rect.top(), barWidth, rect.height()),
+    painter.fillRect(QRect(Margins::bar, rect.top(), Margins::barWidth, rect.height()),
                      m_theme.kindColor(m_listing.sections[its.section].kind));
     if (!foldKey(its).isEmpty())
         paintChevron(painter, row);
@@ -100,12 +93,8 @@ void CodeView::paintRow(QPainter &painter, std::size_t row) const
     }
     if (its.kind == CodeRow::Kind::gone)
         paintSign(painter, row, QStringLiteral("−"), m_theme.tokens().ink2);
-    const QColor frame = m_theme.tokens().washLine;
-    if (isResult(its) && frame.alpha() > 0) {
-        painter.setPen(QPen(frame, 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect.adjusted(textLeft - 3, 1, -1, -1));
-    }
+    if (isResult(its))
+        paintLineFrame(painter, rect, m_theme);
 }
 
 void CodeView::paintChevron(QPainter &painter, std::size_t row) const
@@ -113,7 +102,7 @@ void CodeView::paintChevron(QPainter &painter, std::size_t row) const
     const bool hides = m_folded.contains(foldKey(m_rows[row]));
     const QIcon chevron =
         m_theme.icon(hides ? QStringLiteral("right") : QStringLiteral("down"), m_theme.tokens().ink3);
-    chevron.paint(&painter, QRect(symbolLeft, rowRect(row).top() + 4, 12, 12));
+    chevron.paint(&painter, QRect(Margins::symbol, rowRect(row).top() + 4, 12, 12));
 }
 
 void CodeView::paintHeading(QPainter &painter, std::size_t row) const
@@ -138,14 +127,12 @@ void CodeView::paintSymbol(QPainter &painter, std::size_t row) const
 {
     const QRect rect = rowRect(row);
     if (const Breakpoint *its = breakpoint(row)) {
-        paintStop(painter, row, *its);
+        const QPointF centre(Margins::symbol + 6.5, rect.center().y() + 0.5);
+        paintBreakpoint(painter, centre, its->isOn, !its->condition.isEmpty(), m_theme);
         return;
     }
     if (isResult(m_rows[row])) {
-        const QPointF at(symbolLeft + 1.5, rect.top() + 4);
-        QPainterPath arrow;
-        arrow.addPolygon(QPolygonF{{0, 2}, {5, 2}, {10, 6}, {5, 10}, {0, 10}}.translated(at));
-        painter.fillPath(arrow, m_theme.tokens().now);
+        paintMarginArrow(painter, rect.top(), m_theme.tokens().now);
         return;
     }
     if (line(m_rows[row])->isNew)
@@ -159,8 +146,8 @@ void CodeView::paintSign(QPainter &painter, std::size_t row, const QString &sign
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
     painter.setPen(ink);
-    painter.drawText(QRect(symbolLeft, rect.top(), barLeft - symbolLeft, rect.height()), Qt::AlignCenter,
-                     sign);
+    painter.drawText(QRect(Margins::symbol, rect.top(), Margins::bar - Margins::symbol, rect.height()),
+                     Qt::AlignCenter, sign);
 }
 
 void CodeView::paintChip(QPainter &painter, std::size_t row) const
@@ -172,21 +159,6 @@ void CodeView::paintChip(QPainter &painter, std::size_t row) const
     chip.paint(painter, isNow ? ValueChip::Look::now : ValueChip::Look::plain, behind, m_theme);
 }
 
-void CodeView::paintStop(QPainter &painter, std::size_t row, const Breakpoint &breakpoint) const
-{
-    const QPointF centre(symbolLeft + 6.5, rowRect(row).center().y() + 0.5);
-    const QColor past = m_theme.tokens().past;
-    painter.setPen(QPen(past, 1.5));
-    painter.setBrush(breakpoint.isOn ? QBrush(past) : QBrush(Qt::NoBrush));
-    painter.drawEllipse(centre, 4.0, 4.0);
-    if (breakpoint.condition.isEmpty())
-        return;
-    // A conditional breakpoint has two bars, like an equals sign.
-    painter.setPen(QPen(breakpoint.isOn ? m_theme.tokens().panel : past, 1.2));
-    for (const double dy : {-1.3, 1.3})
-        painter.drawLine(centre + QPointF(-2.0, dy), centre + QPointF(2.0, dy));
-}
-
 void CodeView::paintFocus(QPainter &painter) const
 {
     const QRect shown = viewport()->rect();
@@ -194,7 +166,8 @@ void CodeView::paintFocus(QPainter &painter) const
     QRect ring = shown; // the row is scrolled out of view
     painter.setBrush(Qt::NoBrush);
     if (!whole.isEmpty() && shown.contains(whole)) {
-        ring = whole.adjusted(barLeft + barWidth + 2, 0, endOfText(m_row) + 5 - whole.width(), 0);
+        ring =
+            whole.adjusted(Margins::bar + Margins::barWidth + 2, 0, endOfText(m_row) + 5 - whole.width(), 0);
         if (m_word) {
             painter.setPen(QPen(m_theme.tokens().ink, 1));
             painter.drawRect(QRectF(wordRect(m_row, *m_word)).adjusted(-1.5, 3.5, 1.5, -3.5));

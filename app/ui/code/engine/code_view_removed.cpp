@@ -21,14 +21,11 @@ void CodeView::styleRemovedLines(const QColor &ink)
 
 void CodeView::strikeGone()
 {
-    send(*this, SCI_SETINDICATORCURRENT, goneIndicator);
-    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    startIndicator(*this, goneIndicator);
     for (std::size_t row = 0; row < m_rows.size(); ++row) {
-        if (m_rows[row].kind != CodeRow::Kind::gone)
-            continue;
-        const long start = send(*this, SCI_GETLINEINDENTPOSITION, row);
-        const long end = send(*this, SCI_GETLINEENDPOSITION, row);
-        send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(start), end - start);
+        if (m_rows[row].kind == CodeRow::Kind::gone)
+            fillIndicator(*this, send(*this, SCI_GETLINEINDENTPOSITION, row),
+                          send(*this, SCI_GETLINEENDPOSITION, row));
     }
 }
 
@@ -48,15 +45,14 @@ void CodeView::setGone(Gone gone)
         m_gone = gone;
         return;
     }
-    const auto top = static_cast<std::size_t>(
-        send(*this, SCI_DOCLINEFROMVISIBLE, static_cast<std::size_t>(send(*this, SCI_GETFIRSTVISIBLELINE))));
+    const auto top =
+        static_cast<std::size_t>(send(*this, SCI_DOCLINEFROMVISIBLE, send(*this, SCI_GETFIRSTVISIBLELINE)));
     const CodeRow atTop = m_rows[std::min(top, m_rows.size() - 1)], at = m_rows[m_row];
     m_gone = gone;
     layRows();
     underlineSpots();
     m_row = rowOf(at);
-    send(*this, SCI_SETFIRSTVISIBLELINE,
-         static_cast<std::size_t>(send(*this, SCI_VISIBLEFROMDOCLINE, rowOf(atTop))));
+    send(*this, SCI_SETFIRSTVISIBLELINE, send(*this, SCI_VISIBLEFROMDOCLINE, rowOf(atTop)));
     viewport()->update();
 }
 

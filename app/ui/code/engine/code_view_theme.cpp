@@ -11,34 +11,19 @@ namespace app {
 
 void CodeView::setUp()
 {
-    setUtf8(true);
+    setUpCode(*this, TextMarginRightJustified, 1 << regionMargin | 1 << lineMargin);
     setReadOnly(true);
-    setFrameShape(QFrame::NoFrame);
-    setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_InputMethodEnabled, false);
-    setCaretLineVisible(false);
     // Otherwise the style draws its own square where two scroll bars meet.
     auto *corner = new QWidget(this);
     corner->setAutoFillBackground(true);
     setCornerWidget(corner);
-    setMinimumSize(160, 3 * codeRowPixels);
-    send(*this, SCI_SETLEXER, SCLEX_CONTAINER);
     send(*this, SCI_SETCARETSTYLE, 0);
     send(*this, SCI_SETCARETPERIOD, 0); // the caret is invisible and need not blink
     send(*this, SCI_SETFOLDFLAGS, 0);
     send(*this, SCI_SETSCROLLWIDTHTRACKING, 1);
-    send(*this, SCI_SETMARGINLEFT, 0, 0);
     send(*this, SCI_INDICSETSTYLE, toComeIndicator, INDIC_TEXTFORE);
     send(*this, SCI_INDICSETSTYLE, spotIndicator, INDIC_DOTS);
-    const int widths[] = {30, 13, 3, 7};
-    for (int margin = 0; margin < 4; ++margin) {
-        setMarginType(margin, margin == 0 ? TextMarginRightJustified : SymbolMargin);
-        setMarginWidth(margin, widths[margin]);
-        setMarginMarkerMask(margin, margin == 0 ? 0 : 1 << regionMargin | 1 << lineMargin);
-        setMarginSensitivity(margin, false);
-        send(*this, SCI_SETMARGINCURSORN, static_cast<std::size_t>(margin), SC_CURSORARROW);
-    }
-    setMarginWidth(4, 0);
     markerDefine(Background, regionText);
     markerDefine(Background, lineText);
     markerDefine(FullRectangle, regionMargin);

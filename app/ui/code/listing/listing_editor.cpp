@@ -22,13 +22,12 @@ namespace app {
 namespace {
 
 constexpr int tabColumns = 4;
-constexpr int leastChipRoom = 46;              ///< px right of the code: a value with some digits
-constexpr int marginWidths[] = {30, 13, 3, 7}; ///< px: numbers, the arrow, changed lines, a gap
+constexpr int leastChipRoom = 46; ///< px right of the code: a value with some digits
 
 }
 
-ListingEditor::ListingEditor(const Theme &theme, Kind kind, QWidget *parent)
-    : QsciScintilla(parent), m_theme(theme), m_kind(kind)
+ListingEditor::ListingEditor(const Theme &theme, Kind kind, const ParameterDrag &drag, QWidget *parent)
+    : QsciScintilla(parent), m_theme(theme), m_kind(kind), m_parameterDrag(drag)
 {
     setLayoutDirection(Qt::LeftToRight); // code is not mirrored
     if (kind == Kind::listing) {
@@ -65,23 +64,17 @@ ListingEditor::ListingEditor(const Theme &theme, Kind kind, QWidget *parent)
 
 void ListingEditor::setUp()
 {
-    setUtf8(true);
+    setUpCode(*this, NumberMargin, 1 << nextMargin);
     setEolMode(EolUnix);
-    setFrameShape(QFrame::NoFrame);
-    setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(false); // the window takes files
     viewport()->setAcceptDrops(false);
-    setCaretLineVisible(false);
     setIndentationsUseTabs(false);
     setTabWidth(tabColumns);
     setIndentationWidth(tabColumns);
-    setMinimumSize(160, 3 * codeRowPixels);
     send(*this, SCI_SETUNDOCOLLECTION, 0); // undo is the session's
-    send(*this, SCI_SETLEXER, SCLEX_CONTAINER);
-    setWrapMode(WrapWhitespace); // by words, a row could begin with ");"
+    setWrapMode(WrapWhitespace);           // by words, a row could begin with ");"
     setWrapIndentMode(WrapIndentIndented);
     send(*this, SCI_SETSCROLLWIDTH, 1); // nothing to scroll sideways
-    send(*this, SCI_SETMARGINLEFT, 0, 0);
     if (m_kind == Kind::listing)
         send(*this, SCI_SETMARGINRIGHT, 0, leastChipRoom);
     send(*this, SCI_AUTOCSETORDER, SC_ORDER_PRESORTED);
@@ -89,14 +82,6 @@ void ListingEditor::setUp()
     send(*this, SCI_INDICSETSTYLE, mistakeIndicator, INDIC_SQUIGGLE);
     send(*this, SCI_INDICSETSTYLE, dragIndicator, INDIC_DOTS);
     send(*this, SCI_INDICSETSTYLE, useIndicator, INDIC_BOX);
-    for (int margin = 0; margin < 4; ++margin) {
-        setMarginType(margin, margin == 0 ? NumberMargin : SymbolMargin);
-        setMarginWidth(margin, marginWidths[margin]);
-        setMarginMarkerMask(margin, margin == 0 ? 0 : 1 << nextMargin);
-        setMarginSensitivity(margin, false);
-        send(*this, SCI_SETMARGINCURSORN, static_cast<std::size_t>(margin), SC_CURSORARROW);
-    }
-    setMarginWidth(4, 0);
     markerDefine(Background, nextText);
     markerDefine(FullRectangle, nextMargin);
 }
@@ -119,11 +104,6 @@ void ListingEditor::applyTheme()
     viewport()->update();
 }
 
-int ListingEditor::marginsWidth()
-{
-    return marginWidths[0] + marginWidths[1] + marginWidths[2] + marginWidths[3];
-}
-
 void ListingEditor::setListing(const QString &listing)
 {
     m_typing.stop();
@@ -143,13 +123,11 @@ void ListingEditor::setListing(const QString &listing)
     while (tail > 0 && isInsideLetter(now, now.size() - tail))
         --tail;
     m_isSetting = true;
-    send(*this, SCI_SETTARGETSTART, static_cast<std::size_t>(head));
-    send(*this, SCI_SETTARGETEND, static_cast<std::size_t>(now.size() - tail));
     const QByteArray middle = then.mid(head, then.size() - tail - head);
-    SendScintilla(SCI_REPLACETARGET, static_cast<unsigned long>(middle.size()), middle.constData());
+    replaceText(*this, head, now.size() - tail, middle);
     m_isSetting = false;
     if (hasFocus())
-        send(*this, SCI_GOTOPOS, static_cast<std::size_t>(head + middle.size()));
+        send(*this, SCI_GOTOPOS, head + middle.size());
 }
 
 void ListingEditor::showTop()
@@ -180,20 +158,16 @@ void ListingEditor::styleText()
         inks += inksOf(line) + '\0';
     inks.chop(1);
     send(*this, SCI_STARTSTYLING, 0);
-    SendScintilla(SCI_SETSTYLINGEX, static_cast<unsigned long>(inks.size()), inks.constData());
+    send(*this, SCI_SETSTYLINGEX, inks.size(), inks);
 }
 
 void ListingEditor::underlineSpots()
 {
     m_parameterUses = usesOfParameters(text(), m_parameters);
-    send(*this, SCI_SETINDICATORCURRENT, dragIndicator);
-    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    startIndicator(*this, dragIndicator);
     for (int line = 1; line <= lines(); ++line) {
-        for (const Spot &spot : spotsOf(line)) {
-            const long from = positionOf(line, spot.range.column);
-            send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(from),
-                 positionOf(line, spot.range.column + spot.range.length) - from);
-        }
+        for (const Spot &spot : spotsOf(line))
+            fillIndicator(*this, positionOf(spot.range), endOf(spot.range));
     }
 }
 
@@ -221,18 +195,16 @@ std::vector<ListingEditor::Spot> ListingEditor::spotsOf(int line) const
 void ListingEditor::showBrackets()
 {
     const auto isBracket = [this](long at) {
-        const long letter = at >= 0 ? send(*this, SCI_GETCHARAT, static_cast<std::size_t>(at)) : 0;
-        return letter == '(' || letter == ')' || letter == '[' || letter == ']' || letter == '{' ||
-               letter == '}';
+        return at >= 0 && QByteArray("()[]{}").contains(static_cast<char>(send(*this, SCI_GETCHARAT, at)));
     };
     constexpr long nowhere = -1;
     const long caret = send(*this, SCI_GETCURRENTPOS);
     const long at = isBracket(caret - 1) ? caret - 1 : isBracket(caret) ? caret : nowhere;
-    const long partner = at == nowhere ? nowhere : send(*this, SCI_BRACEMATCH, static_cast<std::size_t>(at));
+    const long partner = at == nowhere ? nowhere : send(*this, SCI_BRACEMATCH, at);
     if (at != nowhere && partner == nowhere)
-        send(*this, SCI_BRACEBADLIGHT, static_cast<std::size_t>(at));
+        send(*this, SCI_BRACEBADLIGHT, at);
     else
-        send(*this, SCI_BRACEHIGHLIGHT, static_cast<std::size_t>(at), partner);
+        send(*this, SCI_BRACEHIGHLIGHT, at, partner);
 }
 
 void ListingEditor::setMistakes(const std::vector<CodeMistake> &mistakes)
@@ -240,15 +212,14 @@ void ListingEditor::setMistakes(const std::vector<CodeMistake> &mistakes)
     if (mistakes == m_mistakes)
         return;
     m_mistakes = mistakes;
-    send(*this, SCI_SETINDICATORCURRENT, mistakeIndicator);
+    startIndicator(*this, mistakeIndicator);
     const long length = send(*this, SCI_GETLENGTH);
-    send(*this, SCI_INDICATORCLEARRANGE, 0, length);
     for (const CodeMistake &mistake : mistakes) {
         // A mistake at the end of the text has no letter of its own: the last one is underlined.
         const long from = std::clamp(positionOf(mistake.line, mistake.column), 0L, std::max(0L, length - 1));
         const long to =
             std::min(length, std::max(from + 1, positionOf(mistake.line, mistake.column + mistake.length)));
-        send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(from), to - from);
+        fillIndicator(*this, from, to);
     }
 }
 
@@ -273,7 +244,7 @@ void ListingEditor::setMarks(const LineMarks &marks)
     }
     if (moved) {
         const long start = positionOf(marks.next, 1);
-        send(*this, SCI_SCROLLRANGE, static_cast<std::size_t>(start), start);
+        send(*this, SCI_SCROLLRANGE, start, start);
     }
     viewport()->update();
 }
@@ -289,8 +260,8 @@ void ListingEditor::setStops(std::vector<LineStop> stops)
 void ListingEditor::showLine(int line)
 {
     const long start = positionOf(line, 1);
-    send(*this, SCI_GOTOPOS, static_cast<std::size_t>(start));
-    send(*this, SCI_SCROLLRANGE, static_cast<std::size_t>(start), start);
+    send(*this, SCI_GOTOPOS, start);
+    send(*this, SCI_SCROLLRANGE, start, start);
 }
 
 void ListingEditor::writeBehind(int line)
@@ -298,7 +269,7 @@ void ListingEditor::writeBehind(int line)
     const QString code = text(line - 1);
     setCursorPosition(line - 1, static_cast<int>(code.size()) - (code.endsWith('\n') ? 1 : 0));
     constexpr int linesAbove = 4; // which say what to write, and have names for it
-    send(*this, SCI_SCROLLRANGE, static_cast<std::size_t>(positionOf(std::max(1, line - linesAbove), 1)),
+    send(*this, SCI_SCROLLRANGE, positionOf(std::max(1, line - linesAbove), 1),
          send(*this, SCI_GETCURRENTPOS));
 }
 
@@ -310,23 +281,18 @@ void ListingEditor::setValues(LineValues values)
     viewport()->update();
 }
 
-void ListingEditor::setParameters(const QStringList &ids)
+void ListingEditor::readParameters()
 {
-    if (ids == m_parameters)
-        return;
-    m_parameters = ids;
-    underlineSpots();
+    const QStringList ids = m_parameterDrag.parameters();
+    if (std::exchange(m_parameters, ids) != ids)
+        underlineSpots();
 }
 
 void ListingEditor::setUses(const std::vector<TextRange> &uses)
 {
-    send(*this, SCI_SETINDICATORCURRENT, useIndicator);
-    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
-    for (const TextRange &use : uses) {
-        const long from = positionOf(use.line, use.column);
-        send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(from),
-             positionOf(use.line, use.column + use.length) - from);
-    }
+    startIndicator(*this, useIndicator);
+    for (const TextRange &use : uses)
+        fillIndicator(*this, positionOf(use), endOf(use));
 }
 
 void ListingEditor::showCompletions(const QStringList &names)
@@ -343,8 +309,7 @@ void ListingEditor::showCompletions(const QStringList &names)
         send(*this, SCI_AUTOCCANCEL);
         return;
     }
-    SendScintilla(SCI_AUTOCSHOW, static_cast<unsigned long>(word.toUtf8().size()),
-                  names.join(' ').toUtf8().constData());
+    send(*this, SCI_AUTOCSHOW, word.toUtf8().size(), names.join(' ').toUtf8());
 }
 
 bool ListingEditor::isUnderlined(int line, int column) const

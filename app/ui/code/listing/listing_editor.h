@@ -4,9 +4,9 @@
 #include "app/model/listing/learner_code.h"
 #include "app/model/listing/line_values.h"
 #include "app/model/listing/vector_mark.h"
+#include "app/ui/code/parameter_drag.h"
+#include "app/ui/code/scintilla_style.h"
 #include "app/ui/code/value_chip.h"
-
-#include <Qsci/qsciscintilla.h>
 
 #include <QTimer>
 
@@ -37,8 +37,8 @@ struct LineStop
     friend bool operator==(const LineStop &, const LineStop &) = default;
 };
 
-/// An editor for the listing of a step, with values at the ends of lines, or for a rule of the sandbox. It knows nothing of the session: it tells what
-/// the learner typed, and shows what it is told.
+/// An editor for the listing of a step, with values at the ends of lines, or for a rule of the sandbox. It tells
+/// what the learner typed, and shows what it is told.
 ///
 /// A click in the margin asks to run to a line; Ctrl and a click, F9, or a click on its dot ask for a breakpoint or remove
 /// it. A parameter or a number can be dragged sideways. Esc leaves the editor. Tab
@@ -56,7 +56,8 @@ public:
         rule,
     };
 
-    explicit ListingEditor(const Theme &theme, Kind kind, QWidget *parent = nullptr);
+    /// `drag` changes the parameters that the learner drags.
+    ListingEditor(const Theme &theme, Kind kind, const ParameterDrag &drag, QWidget *parent = nullptr);
 
     /// Shows `text`. Only the part that differs is replaced. The caret goes behind it if the learner types.
     void setListing(const QString &text);
@@ -84,8 +85,8 @@ public:
     /// Sets the values at the ends of lines. While they are `earlier` ones, they are paler.
     void setValues(LineValues values);
     const LineValues &values() const { return m_values; }
-    /// Sets the parameters, which can be dragged.
-    void setParameters(const QStringList &ids);
+    /// Underlines the parameters of the open step, which can be dragged.
+    void readParameters();
     /// Marks the places that use a body.
     void setUses(const std::vector<TextRange> &uses);
     /// Shows the names that can continue the word before the caret, or hides the list if there are none.
@@ -103,7 +104,7 @@ public:
     bool isUse(int line, int column) const;
     /// Returns whether the list of completions is open.
     bool isListActive() const;
-    static int marginsWidth();
+    static constexpr int marginsWidth() { return CodeMargins::text; }
 
 signals:
     /// Emitted when the learner has changed the text and then paused.
@@ -115,13 +116,6 @@ signals:
     void stopRequested(int line);
     /// Emitted when the mouse moves to another place of the text, or off the text.
     void pointedAt(std::optional<app::TextRange> place);
-    /// Emitted when the learner starts to drag a parameter, moves it (`pixels` since the start), and ends the drag.
-    /// `keep` is false if the drag was cancelled.
-    void parameterTaken(const QString &id);
-    void parameterDragged(int pixels, bool fine);
-    void parameterLeft(bool keep);
-    /// Emitted before the first and after the last change of a number that is dragged.
-    void numberGesture();
     /// Emitted when the learner leaves the editor with the Esc key.
     void left();
     void resetRequested();
@@ -171,7 +165,6 @@ private:
     void setPointed(std::optional<TextRange> place);
     void drag(const QPoint &to, bool fine);
     void endDrag(bool keep);
-    void replaceText(const TextRange &range, const QString &by);
 
     void breakLine();
     /// Returns the text above the line with this number (from 0).
@@ -184,6 +177,9 @@ private:
     QString textBefore(int line, int index) const;
 
     long positionOf(int line, int column) const { return positionFromLineIndex(line - 1, column - 1); }
+    long positionOf(const TextRange &range) const { return positionOf(range.line, range.column); }
+    /// Returns the position behind the last character.
+    long endOf(const TextRange &range) const { return positionOf(range.line, range.column + range.length); }
     /// Returns the place of the end of the code in a line, without a trailing comment.
     QPoint endOfCode(int line) const;
     /// Returns the first row of a line, which has more rows if it is wrapped.
@@ -200,11 +196,11 @@ private:
     void requestStop(int line);
     void addLineActions(QMenu &menu, int line);
     void paintLine(QPainter &painter, int line) const;
-    void paintStop(QPainter &painter, const LineStop &stop) const;
     void paintChange(QPainter &painter, int line) const;
 
     const Theme &m_theme;
     const Kind m_kind;
+    ParameterDrag m_parameterDrag;
     QTimer m_typing;
     bool m_isSetting = false; ///< whether the program changes the text, not the learner
     LineMarks m_marks;

@@ -371,9 +371,7 @@ void ListingEditor::mouseReleaseEvent(QMouseEvent *event)
     if (m_drag->hasBegun)
         return endDrag(true);
     m_drag.reset();
-    const long position =
-        send(*this, SCI_POSITIONFROMPOINT, static_cast<std::size_t>(event->pos().x()), event->pos().y());
-    send(*this, SCI_GOTOPOS, static_cast<std::size_t>(position));
+    send(*this, SCI_GOTOPOS, send(*this, SCI_POSITIONFROMPOINT, event->pos().x(), event->pos().y()));
 }
 
 void ListingEditor::mouseDoubleClickEvent(QMouseEvent *event)
@@ -393,18 +391,18 @@ void ListingEditor::drag(const QPoint &to, bool fine)
             return;
         m_drag->hasBegun = true;
         if (m_drag->spot.isNumber)
-            emit numberGesture();
+            m_parameterDrag.endGesture();
         else
-            emit parameterTaken(m_drag->spot.text);
+            m_parameterDrag.take(m_drag->spot.text);
     }
     if (!m_drag->spot.isNumber) {
-        emit parameterDragged(pixels, fine);
+        m_parameterDrag.drag(pixels, fine);
         return;
     }
     const QString number = draggedNumber(m_drag->before, pixels, fine);
     if (number == m_drag->spot.text)
         return;
-    replaceText(m_drag->spot.range, number);
+    replaceText(*this, positionOf(m_drag->spot.range), endOf(m_drag->spot.range), number.toUtf8());
     m_drag->spot.text = number;
     m_drag->spot.range.length = static_cast<int>(number.size());
     flush();
@@ -414,22 +412,13 @@ void ListingEditor::endDrag(bool keep)
 {
     const Drag drag = *std::exchange(m_drag, std::nullopt);
     if (!drag.spot.isNumber) {
-        emit parameterLeft(keep);
+        m_parameterDrag.leave(keep);
         return;
     }
     if (!keep)
-        replaceText(drag.spot.range, drag.before);
+        replaceText(*this, positionOf(drag.spot.range), endOf(drag.spot.range), drag.before.toUtf8());
     flush();
-    emit numberGesture();
-}
-
-void ListingEditor::replaceText(const TextRange &range, const QString &by)
-{
-    const QByteArray bytes = by.toUtf8();
-    send(*this, SCI_SETTARGETSTART, static_cast<std::size_t>(positionOf(range.line, range.column)));
-    send(*this, SCI_SETTARGETEND,
-         static_cast<std::size_t>(positionOf(range.line, range.column + range.length)));
-    SendScintilla(SCI_REPLACETARGET, static_cast<unsigned long>(bytes.size()), bytes.constData());
+    m_parameterDrag.endGesture();
 }
 
 void ListingEditor::wheelEvent(QWheelEvent *event)

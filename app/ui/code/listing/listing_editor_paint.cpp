@@ -5,6 +5,7 @@
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/listing/listing_editor.h"
+#include "app/ui/code/margin_marks.h"
 #include "app/ui/theme/theme.h"
 
 #include <QPaintEvent>
@@ -18,11 +19,9 @@ namespace app {
 
 namespace {
 
-// From the left: line numbers, the arrow, changed lines, a gap.
+using Margins = CodeMargins;
+
 constexpr int stopWidth = 13; ///< of the place for a dot, left of the numbers
-constexpr int arrowLeft = 30;
-constexpr int changeLeft = 43;
-constexpr int changeWidth = 3;
 
 }
 
@@ -45,8 +44,7 @@ QRect ListingEditor::firstRow(int line) const
 QRect ListingEditor::lineRect(int line) const
 {
     QRect rows = firstRow(line);
-    rows.setHeight(rowHeight() *
-                   static_cast<int>(send(*this, SCI_WRAPCOUNT, static_cast<std::size_t>(line - 1))));
+    rows.setHeight(rowHeight() * static_cast<int>(send(*this, SCI_WRAPCOUNT, line - 1)));
     return rows;
 }
 
@@ -59,11 +57,10 @@ QRect ListingEditor::stopRect(int line) const
 
 QRect ListingEditor::wordRect(const TextRange &range) const
 {
-    const QPoint from = placeOf(positionOf(range.line, range.column));
+    const QPoint from = placeOf(positionOf(range));
     const QPoint last = placeOf(positionOf(range.line, range.column + range.length - 1));
     // Behind the last letter the next row can begin.
-    const auto letter =
-        static_cast<int>(SendScintilla(SCI_TEXTWIDTH, static_cast<unsigned long>(STYLE_DEFAULT), "x"));
+    const auto letter = static_cast<int>(send(*this, SCI_TEXTWIDTH, STYLE_DEFAULT, "x"));
     return {from, QPoint(last.x() + letter - 1, from.y() + rowHeight() - 1)};
 }
 
@@ -150,34 +147,19 @@ void ListingEditor::paintEvent(QPaintEvent *event)
     }
 }
 
-/// Paints a breakpoint as the engine's code does.
-void ListingEditor::paintStop(QPainter &painter, const LineStop &stop) const
-{
-    const Tokens &t = m_theme.tokens();
-    const QPointF centre = QRectF(stopRect(stop.line)).center();
-    painter.setPen(QPen(t.past, 1.5));
-    painter.setBrush(stop.isOn ? QBrush(t.past) : QBrush(Qt::NoBrush));
-    painter.drawEllipse(centre, 4.0, 4.0);
-    if (!stop.hasCondition)
-        return;
-    painter.setPen(QPen(stop.isOn ? t.panel : t.past, 1.2));
-    for (const double dy : {-1.3, 1.3})
-        painter.drawLine(centre + QPointF(-2.0, dy), centre + QPointF(2.0, dy));
-}
-
 /// Paints how a line differs from the step's own listing.
 void ListingEditor::paintChange(QPainter &painter, int line) const
 {
     const Tokens &t = m_theme.tokens();
     const QRect row = lineRect(line);
     if (isChanged(line))
-        painter.fillRect(QRect(changeLeft, row.top(), changeWidth, row.height()), t.ok);
+        painter.fillRect(QRect(Margins::bar, row.top(), Margins::barWidth, row.height()), t.ok);
     // A notch between two lines marks lines of the original that are missing there.
     const auto &removed = m_changed.removedBefore;
     const auto paintNotch = [&](int y) {
         QPainterPath notch;
-        notch.addPolygon(QPolygonF{QPointF(changeLeft, y - 3.5), QPointF(changeLeft + 5.0, y),
-                                   QPointF(changeLeft, y + 3.5)});
+        notch.addPolygon(QPolygonF{QPointF(Margins::bar, y - 3.5), QPointF(Margins::bar + 5.0, y),
+                                   QPointF(Margins::bar, y + 3.5)});
         painter.fillPath(notch, t.past);
     };
     if (std::find(removed.begin(), removed.end(), line) != removed.end())
@@ -192,20 +174,13 @@ void ListingEditor::paintLine(QPainter &painter, int line) const
     const QRect row = lineRect(line);
     paintChange(painter, line);
     if (const LineStop *stop = stopOf(line))
-        paintStop(painter, *stop);
+        paintBreakpoint(painter, QRectF(stopRect(line)).center(), stop->isOn, stop->hasCondition, m_theme);
     const bool isNext = line == m_marks.next;
-    if (isNext || line == m_marks.failed) {
-        const QPointF at(arrowLeft + 1.5, row.top() + 4);
-        QPainterPath arrow;
-        arrow.addPolygon(QPolygonF{{0, 2}, {5, 2}, {10, 6}, {5, 10}, {0, 10}}.translated(at));
-        painter.fillPath(arrow, line == m_marks.failed ? t.past : t.now);
-    }
+    if (isNext || line == m_marks.failed)
+        paintMarginArrow(painter, row.top(), line == m_marks.failed ? t.past : t.now);
     const bool isMarked = isNext && m_marks.isInside;
-    if (isMarked && t.washLine.alpha() > 0) { // high contrast has a frame in place of the background
-        painter.setPen(QPen(t.washLine, 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(row.adjusted(marginsWidth() - 3, 1, -1, -1));
-    }
+    if (isMarked)
+        paintLineFrame(painter, row, m_theme);
     const ValueChip chip = chipOf(line);
     const LineChip *value = valueOf(line);
     const ValueChip::Look look = value && value->isChanged    ? ValueChip::Look::changed

@@ -8,7 +8,7 @@
 #include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/listing/listing_editor.h"
 #include "app/ui/code/listing/mistake_row.h"
-#include "app/ui/code/listing/parameter_drag.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/theme/icon_button.h"
 
 #include <QLabel>
@@ -25,22 +25,19 @@ constexpr int rowMargin = 16;
 
 ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_calls(new QLabel(this)),
-      m_editor(new ListingEditor(theme, ListingEditor::Kind::listing, this)),
-      m_parameters(new ParameterDrag(*m_editor, session.run(), session.editor())),
+      m_editor(
+          new ListingEditor(theme, ListingEditor::Kind::listing, {session.run(), session.editor()}, this)),
       m_mistake(new MistakeRow(this)),
       m_stops(new BreakpointList(session.run(), session.playback(), theme, this)),
       m_reset(m_actions.addButton("resetListing", tr("Reset listing")))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     m_calls->setObjectName("caption");
     m_calls->setFont(theme.mono(12));
     m_calls->setTextFormat(Qt::PlainText);
     m_calls->setWordWrap(true);
     m_calls->hide();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    QVBoxLayout *layout = makeColumn(this);
     auto *above = new QVBoxLayout;
     above->setContentsMargins(rowMargin, 0, rowMargin, 4);
     above->addWidget(m_calls);
@@ -59,6 +56,7 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
     session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
                          ChangeKind::preview | ChangeKind::code,
                      this, &ListingPanel::follow);
+    m_step = &session.step();
     refresh();
 }
 
@@ -167,7 +165,7 @@ void ListingPanel::toggleStop(int line)
 void ListingPanel::showText()
 {
     const LearnerCode &code = m_session.code();
-    m_parameters->offer();
+    m_editor->readParameters();
     if (!m_editor->isPending())
         m_editor->setListing(code.text());
     m_editor->setChangedLines(changedLines(code.original(), code.text()));

@@ -15,7 +15,6 @@ namespace app {
 class BreakpointList;
 class ListingEditor;
 class MistakeRow;
-class ParameterDrag;
 class Theme;
 
 /// A panel with the listing of the open step: the whole program of a frame, which the learner steps through and changes.
@@ -65,7 +64,6 @@ private:
     Session &m_session;
     QLabel *m_calls;
     ListingEditor *m_editor;
-    ParameterDrag *m_parameters;
     MistakeRow *m_mistake;
     BreakpointList *m_stops;
     TitleActions m_actions;

@@ -1,6 +1,7 @@
 #include "app/ui/code/listing/mistake_row.h"
 
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -17,9 +18,7 @@ MistakeRow::MistakeRow(QWidget *parent) : QWidget(parent), m_sentence(new QLabel
     auto *room = new QVBoxLayout;
     room->setContentsMargins(sideMargin, 6, sideMargin, 8);
     room->addWidget(m_sentence);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(this);
     column->addWidget(divider(this));
     column->addLayout(room);
     hide();

@@ -8,8 +8,8 @@
 #include "app/ui/actions/command.h"
 #include "app/ui/code/listing/listing_editor.h"
 #include "app/ui/code/listing/mistake_row.h"
-#include "app/ui/code/listing/parameter_drag.h"
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/theme/icon_button.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -30,16 +30,12 @@ const QString ruleEffect = QStringLiteral("rule");
 RulePanel::RulePanel(const OpenRun &run, RunEditor &changes, const Playback &playback, RuleCode &rule,
                      const Theme &theme, QWidget *parent)
     : QWidget(parent), m_run(run), m_changes(changes), m_playback(playback), m_rule(rule),
-      m_editor(new ListingEditor(theme, ListingEditor::Kind::rule, this)),
-      m_parameters(new ParameterDrag(*m_editor, run, changes)), m_mistake(new MistakeRow(this)),
-      m_state(new QLabel(this)), m_switchOn(new QPushButton(this)),
+      m_editor(new ListingEditor(theme, ListingEditor::Kind::rule, {run, changes}, this)),
+      m_mistake(new MistakeRow(this)), m_state(new QLabel(this)), m_switchOn(new QPushButton(this)),
       m_delete(m_actions.addButton("deleteRule", tr("Delete rule")))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    styleAsPanel(*this);
+    QVBoxLayout *layout = makeColumn(this);
     layout->addWidget(m_editor, 1);
     layout->addWidget(m_mistake);
     layout->addWidget(makeFoot());
@@ -58,6 +54,7 @@ RulePanel::RulePanel(const OpenRun &run, RunEditor &changes, const Playback &pla
     run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
                      ChangeKind::code,
                  this, &RulePanel::follow);
+    m_step = &run.step();
     refresh();
 }
 
@@ -80,9 +77,7 @@ QWidget *RulePanel::makeFoot()
     m_commands->setContentsMargins(12, 0, 12, 8);
     m_commands->setSpacing(6);
     m_commands->addStretch(1);
-    auto *column = new QVBoxLayout(foot);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(foot);
     column->addWidget(divider(foot));
     column->addLayout(words);
     column->addLayout(m_commands);
@@ -142,7 +137,7 @@ void RulePanel::refresh()
 {
     if (!m_rule.isOffered())
         return;
-    m_parameters->offer();
+    m_editor->readParameters();
     const QString text = m_rule.text();
     if (!m_editor->isPending())
         m_editor->setListing(text);

@@ -14,7 +14,6 @@ namespace app {
 class Command;
 class ListingEditor;
 class MistakeRow;
-class ParameterDrag;
 class Playback;
 class RuleCode;
 class RunEditor;
@@ -61,7 +60,6 @@ private:
     const Playback &m_playback;
     RuleCode &m_rule;
     ListingEditor *m_editor;
-    ParameterDrag *m_parameters;
     MistakeRow *m_mistake;
     QLabel *m_state;
     QPushButton *m_switchOn;

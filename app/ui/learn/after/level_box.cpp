@@ -2,6 +2,7 @@
 
 #include "app/model/text/phrases.h"
 #include "app/ui/dock/button_flow.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/view_keeper.h"
 
@@ -27,9 +28,7 @@ void LevelBox::fill()
     m_list = addText("levelDemands", {});
     m_hintText = addText("levelHint", m_hintMarkdown);
     m_hintText->hide();
-    m_sentence = new QLabel(content());
-    m_sentence->setObjectName("levelSentence");
-    m_sentence->setWordWrap(true);
+    m_sentence = makeTextLabel("levelSentence", {}, content());
     m_sentence->setTextFormat(Qt::PlainText);
     column().addWidget(m_sentence);
     m_buttons = new ButtonFlow(content());

@@ -1,5 +1,6 @@
 #include "app/ui/learn/after/recall_box.h"
 
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/learn/choice_row.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/theme/icon_button.h"
@@ -27,12 +28,8 @@ RecallBox::RecallBox(RecallDesk &desk, const Theme &theme, QWidget *parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     m_column->setContentsMargins(0, 0, 0, 10);
     m_column->setSpacing(2);
-    m_heading = new QLabel(this);
-    m_heading->setObjectName("heading");
-    m_heading->setWordWrap(true);
-    m_intro = new QLabel(this);
-    m_intro->setObjectName("caption");
-    m_intro->setWordWrap(true);
+    m_heading = makeTextLabel("heading", {}, this);
+    m_intro = makeTextLabel("caption", {}, this);
     m_intro->setTextFormat(Qt::PlainText);
     m_count = new QLabel(this);
     m_count->setObjectName("caption");
@@ -52,7 +49,6 @@ RecallBox::RecallBox(RecallDesk &desk, const Theme &theme, QWidget *parent)
     m_column->addLayout(m_rowColumn);
     m_do = new QPushButton(tr("Do it in the scene"), this);
     m_do->setObjectName("doIt");
-    m_do->setAutoDefault(false);
     m_do->setFocusPolicy(Qt::TabFocus);
     m_do->setToolTip(tr("Opens the scene. Your run of that step stays under “Runs”."));
     m_column->addSpacing(4);

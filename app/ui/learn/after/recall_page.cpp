@@ -1,5 +1,6 @@
 #include "app/ui/learn/after/recall_page.h"
 
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/step_button.h"
@@ -22,9 +23,7 @@ RecallPage::RecallPage(RecallDesk &desk, const Theme &theme, QWidget *parent)
 QWidget *RecallPage::makeText()
 {
     QWidget *page = makePage();
-    auto *title = new QLabel(tr("Do it in the scene"), page);
-    title->setObjectName("stepTitle");
-    title->setWordWrap(true);
+    QLabel *title = makeTextLabel("stepTitle", tr("Do it in the scene"), page);
     m_text = new NarrationText(m_theme, page);
     m_text->setObjectName("recallText");
     m_state = new NarrationText(m_theme, page, NarrationText::Kind::aside);

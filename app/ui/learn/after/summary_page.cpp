@@ -1,6 +1,7 @@
 #include "app/ui/learn/after/summary_page.h"
 
 #include "app/model/learning/prediction_text.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/after/project_box.h"
 #include "app/ui/learn/after/recall_box.h"
@@ -40,9 +41,7 @@ SummaryPage::SummaryPage(Session &session, const Theme &theme, QWidget *parent)
 QWidget *SummaryPage::makeText()
 {
     QWidget *page = makePage();
-    m_title = new QLabel(page);
-    m_title->setObjectName("stepTitle");
-    m_title->setWordWrap(true);
+    m_title = makeTextLabel("stepTitle", {}, page);
     m_title->setTextFormat(Qt::PlainText);
     m_text = new NarrationText(m_theme, page, NarrationText::Kind::aside);
     m_startOver = new QToolButton(page);

@@ -127,8 +127,7 @@ void LessonDelegate::paintStep(QPainter &painter, const QRect &row, const QModel
     const Tokens &tokens = m_theme.tokens();
     const bool done = index.data(LessonModel::doneRole).toBool();
     const bool open = index.data(LessonModel::openRole).toBool();
-    const int left = row.left() + sideMargin + stepIndent;
-    const QRectF mark = squareAt(left, row, markSize);
+    const QRectF mark = squareAt(row.left() + sideMargin + stepIndent, row, markSize);
     if (done) {
         m_theme.icon("check", tokens.ok).paint(&painter, mark.toRect());
     } else {
@@ -137,23 +136,26 @@ void LessonDelegate::paintStep(QPainter &painter, const QRect &row, const QModel
         const double size = open ? 3.2 : 2.6;
         painter.drawEllipse(mark.center(), size, size);
     }
-    const QRect place = row.adjusted(left - row.left() + markSize + gap, 0, -sideMargin - padding, 0);
-    paintText(painter, place, index.data().toString(), m_theme.ui(13, open ? QFont::Medium : QFont::Normal),
-              open ? tokens.ink : tokens.ink2);
+    paintBesideMark(painter, row, index);
 }
 
 void LessonDelegate::paintSummary(QPainter &painter, const QRect &row, const QModelIndex &index) const
 {
     const Tokens &tokens = m_theme.tokens();
     const bool open = index.data(LessonModel::openRole).toBool();
-    const int left = row.left() + sideMargin + stepIndent;
-    const QRectF mark = squareAt(left, row, markSize);
+    const QRectF mark = squareAt(row.left() + sideMargin + stepIndent, row, markSize);
     painter.setPen(QPen(open ? tokens.ink : tokens.ink3, 1.5, Qt::SolidLine, Qt::RoundCap));
     for (const auto &[y, right] : {std::pair{4.0, 11.0}, {7.0, 11.0}, {10.0, 8.0}}) // text lines
         painter.drawLine(mark.topLeft() + QPointF(3.0, y), mark.topLeft() + QPointF(right, y));
-    const QRect place = row.adjusted(left - row.left() + markSize + gap, 0, -sideMargin - padding, 0);
+    paintBesideMark(painter, row, index);
+}
+
+void LessonDelegate::paintBesideMark(QPainter &painter, const QRect &row, const QModelIndex &index) const
+{
+    const bool open = index.data(LessonModel::openRole).toBool();
+    const QRect place = row.adjusted(sideMargin + stepIndent + markSize + gap, 0, -sideMargin - padding, 0);
     paintText(painter, place, index.data().toString(), m_theme.ui(13, open ? QFont::Medium : QFont::Normal),
-              open ? tokens.ink : tokens.ink2);
+              open ? m_theme.tokens().ink : m_theme.tokens().ink2);
 }
 
 void LessonDelegate::paintHeading(QPainter &painter, const QRect &row, const QModelIndex &index) const

@@ -29,6 +29,8 @@ private:
     void paintLesson(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintStep(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintSummary(QPainter &painter, const QRect &row, const QModelIndex &index) const;
+    /// Paints the text of a step or a summary.
+    void paintBesideMark(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintHeading(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintProblem(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintRing(QPainter &painter, const QRectF &place, double share) const;

@@ -2,6 +2,7 @@
 
 #include "app/ui/learn/lessons/lesson_delegate.h"
 #include "app/ui/learn/lessons/lesson_model.h"
+#include "app/ui/theme/focus_ring.h"
 
 #include <QHeaderView>
 #include <QHelpEvent>
@@ -137,8 +138,7 @@ void LessonList::keyPressEvent(QKeyEvent *event)
 
 void LessonList::focusInEvent(QFocusEvent *event)
 {
-    m_byKeyboard = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-                   event->reason() == Qt::ShortcutFocusReason;
+    m_byKeyboard = isByKeyboard(event->reason());
     QTreeView::focusInEvent(event);
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/learn/step/guess_box.h"
 
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/learn/choice_row.h"
 #include "app/ui/learn/fold_box.h"
 #include "app/ui/learn/narration_text.h"
@@ -16,9 +17,7 @@ GuessBox::GuessBox(const lessons::Choices &choices, const Theme &theme, QWidget 
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_content->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_said->setObjectName("guessSaid");
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    QVBoxLayout *column = makeColumn(this);
     column->addWidget(m_title);
     column->addWidget(m_said);
     column->addWidget(m_content);

@@ -2,6 +2,7 @@
 
 #include "app/model/text/glossary.h"
 #include "app/ui/actions/command.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/step/part_link.h"
@@ -35,14 +36,21 @@ constexpr int leastTask = 240;  ///< the same while the learner writes a task
 constexpr int todoMilliseconds =
     300; ///< between two updates of the missing tasks: faster changes cannot be read
 
+QLabel *makeHeading(const QString &text, QWidget *parent)
+{
+    auto *heading = new QLabel(text, parent);
+    heading->setObjectName("heading");
+    heading->setFixedHeight(headingHeight);
+    return heading;
+}
+
 }
 
 Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_room(*this), m_predictions(session),
       m_desk(session)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     makeText();
     m_text->setGlossary(glossary);
     makeTries();
@@ -72,9 +80,7 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
 void Narration::makeText()
 {
     QWidget *page = m_room.page();
-    m_title = new QLabel(page);
-    m_title->setObjectName("stepTitle");
-    m_title->setWordWrap(true);
+    m_title = makeTextLabel("stepTitle", {}, page);
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumHeight(titleHeight);
     m_text = new NarrationText(m_theme, page);
@@ -85,9 +91,7 @@ void Narration::makeText()
     column->addWidget(m_title);
     column->addSpacing(5);
     column->addWidget(m_text);
-    m_predictionHeading = new QLabel(tr("Predict, then play"), page);
-    m_predictionHeading->setObjectName("heading");
-    m_predictionHeading->setFixedHeight(headingHeight);
+    m_predictionHeading = makeHeading(tr("Predict, then play"), page);
     m_predictionColumn = new QVBoxLayout;
     m_predictionColumn->setSpacing(0);
     m_predictionColumn->addWidget(m_predictionHeading);
@@ -95,9 +99,7 @@ void Narration::makeText()
     m_whyColumn = new QVBoxLayout;
     m_whyColumn->setSpacing(0);
     column->addLayout(m_whyColumn);
-    m_taskHeading = new QLabel(tr("Write it yourself"), page);
-    m_taskHeading->setObjectName("heading");
-    m_taskHeading->setFixedHeight(headingHeight);
+    m_taskHeading = makeHeading(tr("Write it yourself"), page);
     m_taskColumn = new QVBoxLayout;
     m_taskColumn->setSpacing(0);
     m_taskColumn->addWidget(m_taskHeading);
@@ -114,9 +116,7 @@ void Narration::makeTries()
     m_tryPage = new QWidget(this);
     // The width decides about the height; the height at the least width would leave gaps.
     m_tryPage->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-    m_heading = new QLabel(tr("Try this"), m_tryHead);
-    m_heading->setObjectName("heading");
-    m_heading->setFixedHeight(headingHeight);
+    m_heading = makeHeading(tr("Try this"), m_tryHead);
     m_heading->setIndent(TryBox::left);
     m_tryColumn = new QVBoxLayout(m_tryPage);
     m_tryColumn->setContentsMargins(18 - TryBox::left, 0, 18, 4);
@@ -139,6 +139,7 @@ void Narration::makeTries()
     m_headGrid->setColumnStretch(0, 1);
     m_headGrid->addWidget(m_heading, 0, 0);
     m_headGrid->addWidget(m_toPredictions, 0, 1, Qt::AlignLeft);
+    m_headGrid->addWidget(m_toTask, 1, 1, Qt::AlignLeft);
 }
 
 void Narration::makeButtons()
@@ -237,7 +238,8 @@ void Narration::showPredictions()
         if (wasActive && !box->isActive())
             ended = box;
     }
-    m_toPredictions->offer(openPredictions(), m_room.viewport());
+    changed = placeLinks() || changed; // the boxes can look the same: a question may be answered already
+    offerLinks();
     if (!changed)
         return;
     if (ended)
@@ -266,6 +268,19 @@ std::vector<TaskBox *> Narration::openTasks() const
     std::copy_if(m_tasks.begin(), m_tasks.end(), std::back_inserter(open),
                  [this](const TaskBox *box) { return !m_desk.isDone(box->task()); });
     return open;
+}
+
+bool Narration::placeLinks()
+{
+    const bool hasPredictions = !openPredictions().empty(), hasTasks = !openTasks().empty();
+    if (m_toPredictions->keepsPlace() == hasPredictions && m_toTask->keepsPlace() == hasTasks)
+        return false;
+    m_toPredictions->keepPlace(hasPredictions);
+    m_toTask->keepPlace(hasTasks);
+    // The panel is too narrow for two of them side by side.
+    m_headGrid->removeWidget(m_toTask);
+    m_headGrid->addWidget(m_toTask, hasPredictions ? 1 : 0, 1, Qt::AlignLeft);
+    return true;
 }
 
 void Narration::offerLinks()
@@ -323,10 +338,7 @@ void Narration::addTasks()
                 [this, &task] { emit listingRequested(m_session.step().listing.lineToWrite(task)); });
     }
     m_taskHeading->setVisible(!m_tasks.empty());
-    // The panel is too narrow for two of them side by side.
-    m_headGrid->removeWidget(m_toTask);
-    if (!m_tasks.empty())
-        m_headGrid->addWidget(m_toTask, m_predictionBoxes.empty() ? 0 : 1, 1, Qt::AlignLeft);
+    placeLinks();
     const int above = m_whys.empty() ? belowText : belowWhys;
     m_taskColumn->setContentsMargins(0, m_tasks.empty() ? 0 : above, 0, 0);
 }
@@ -336,7 +348,8 @@ void Narration::showTasks()
     bool changed = false;
     for (TaskBox *box : m_tasks)
         changed = box->refresh() || changed;
-    m_toTask->offer(openTasks(), m_room.viewport());
+    changed = placeLinks() || changed;
+    offerLinks();
     if (!changed)
         return;
     for (TaskBox *box : m_tasks) {

@@ -85,6 +85,8 @@ private:
     std::vector<PredictionBox *> openPredictions() const;
     /// Returns the code tasks that are not done.
     std::vector<TaskBox *> openTasks() const;
+    /// Gives each link its row, and none if there is nothing to go to. Returns whether that changed anything.
+    bool placeLinks();
     void offerLinks();
     void addTries();
     void rememberChoice(std::size_t number, int chosen);

@@ -15,10 +15,14 @@ PartLink::PartLink(const QString &text, const QString &tip, QWidget *parent) : Q
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     setIconSize({14, 14});
     setFocusPolicy(Qt::TabFocus);
-    QSizePolicy kept = sizePolicy();
-    kept.setRetainSizeWhenHidden(true); // or the text would jump when it is scrolled
-    setSizePolicy(kept);
     hide();
+}
+
+void PartLink::keepPlace(bool isKept)
+{
+    QSizePolicy policy = sizePolicy();
+    policy.setRetainSizeWhenHidden(isKept);
+    setSizePolicy(policy);
 }
 
 bool PartLink::isTitleIn(const QWidget &view, const QWidget &box)

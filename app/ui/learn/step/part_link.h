@@ -15,6 +15,10 @@ class PartLink : public QToolButton
 public:
     PartLink(const QString &text, const QString &tip, QWidget *parent);
 
+    /// Sets whether the button keeps its place while it is hidden, so that the text does not jump when it is scrolled.
+    void keepPlace(bool isKept);
+    bool keepsPlace() const { return sizePolicy().retainSizeWhenHidden(); }
+
     /// Shows the button if there are `boxes`, and the title of none of them is in `view`, an ancestor of theirs.
     template <class Box>
     void offer(const std::vector<Box *> &boxes, const QWidget *view)

@@ -1,6 +1,7 @@
 #include "app/ui/learn/step/step_room.h"
 
 #include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/dock/scroll_page.h"
 #include "app/ui/learn/view_keeper.h"
 
@@ -37,12 +38,8 @@ StepRoom::StepRoom(QWidget &panel)
     QWidget *page = makePage();
     // The height of the text depends on its width, so the height at the minimum width must be ignored.
     page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-    m_scrolled = new QVBoxLayout(page);
-    m_column = new QVBoxLayout(&panel);
-    for (QVBoxLayout *column : {m_scrolled, m_column}) {
-        column->setContentsMargins(0, 0, 0, 0);
-        column->setSpacing(0);
-    }
+    m_scrolled = makeColumn(page);
+    m_column = makeColumn(&panel);
     m_area->setWidget(page);
     // The text takes only the height that it needs, so that the tasks follow directly below it.
     m_column->addWidget(m_area, 1000);

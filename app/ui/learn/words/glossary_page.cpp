@@ -1,6 +1,7 @@
 #include "app/ui/learn/words/glossary_page.h"
 
 #include "app/ui/dialogs/dialog_place.h"
+#include "app/ui/dock/panel_parts.h"
 #include "app/ui/learn/prose.h"
 
 #include <QLabel>
@@ -30,15 +31,13 @@ GlossaryPage::GlossaryPage(const Glossary &glossary, const Theme &theme, QWidget
       m_list(new QTextBrowser(this))
 {
     setWindowTitle(tr("Glossary"));
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
+    styleAsPanel(*this);
     setModal(false);
     resize(480, 640);
     auto *title = new QLabel(tr("Glossary"), this);
     title->setObjectName("stepTitle");
-    auto *hint = new QLabel(tr("The words that the lessons teach. Esc closes this page."), this);
-    hint->setObjectName("caption");
-    hint->setWordWrap(true);
+    QLabel *hint =
+        makeTextLabel("caption", tr("The words that the lessons teach. Esc closes this page."), this);
     m_search->setPlaceholderText(tr("Search"));
     m_search->setAccessibleName(tr("Search the glossary"));
     m_search->setToolTip(tr("Part of a word, or of its meaning"));

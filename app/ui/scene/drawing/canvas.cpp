@@ -1,5 +1,7 @@
 #include "app/ui/scene/drawing/canvas.h"
 
+#include "app/ui/scene/drawing/line_clip.h"
+
 #include <QPainterPath>
 
 #include <algorithm>
@@ -12,21 +14,6 @@ namespace {
 constexpr double smallest = 2.0; ///< radius of a body, screen px
 constexpr double farthest = 1e6; ///< screen px in either direction
 constexpr double beyond = 64.0;  ///< how far lines extend beyond the area, to hide their ends
-
-/// Narrows the parameter range `from` to `to` of a line to where `start + t * slope` is between `low` and
-/// `high`.
-bool narrow(double start, double slope, double low, double high, double &from, double &to)
-{
-    if (slope == 0.0)
-        return start >= low && start <= high;
-    double a = (low - start) / slope;
-    double b = (high - start) / slope;
-    if (a > b)
-        std::swap(a, b);
-    from = std::max(from, a);
-    to = std::min(to, b);
-    return from < to;
-}
 
 /// Returns the part of a polygon in which the dot product of `normal` and a point is at most `most`.
 QPolygonF within(const QPolygonF &polygon, QPointF normal, double most)
@@ -70,13 +57,8 @@ bool Canvas::reaches(QPointF centre, double radius) const
 QLineF Canvas::cut(QPointF from, QPointF to) const
 {
     const QRectF room = area.adjusted(-beyond, -beyond, beyond, beyond);
-    const QPointF d = to - from;
-    double begin = 0.0;
-    double end = 1.0;
-    if (!narrow(from.x(), d.x(), room.left(), room.right(), begin, end) ||
-        !narrow(from.y(), d.y(), room.top(), room.bottom(), begin, end))
-        return {};
-    return {from + begin * d, from + end * d};
+    const auto part = partWithin(room, from, to);
+    return part ? QLineF(from + part->first * (to - from), from + part->second * (to - from)) : QLineF();
 }
 
 QPolygonF Canvas::cut(QPolygonF polygon) const

@@ -54,8 +54,9 @@ bool anyHasNewVelocity(const sim::Timeline &timeline)
 QString afterPlacing(const QString &phase, bool hasNewVelocity)
 {
     return hasNewVelocity
-               ? CaptionText::tr("%1 has moved points directly, and changed velocities.").arg(phase)
-               : CaptionText::tr("%1 has moved points directly, without a velocity.").arg(phase);
+               ? CaptionText::tr("after %1, points have moved directly, and velocities have changed.")
+                     .arg(phase)
+               : CaptionText::tr("after %1, points have moved directly, without a velocity.").arg(phase);
 }
 
 Account accountOf(const sim::ComposedInterval &interval, int done)

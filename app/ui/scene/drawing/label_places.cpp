@@ -1,6 +1,7 @@
 #include "app/ui/scene/drawing/label_places.h"
 
 #include "app/ui/scene/drawing/figure.h"
+#include "app/ui/scene/drawing/line_clip.h"
 #include "lessons/api/view/view.h"
 
 #include <algorithm>
@@ -41,22 +42,8 @@ double lengthWithin(const QLineF &line, const QRectF &box)
     if (std::max(line.x1(), line.x2()) < box.left() || std::min(line.x1(), line.x2()) > box.right() ||
         std::max(line.y1(), line.y2()) < box.top() || std::min(line.y1(), line.y2()) > box.bottom())
         return 0.0; // most lines are far from the box
-    // Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3 (1), 1984.
-    double from = 0.0;
-    double to = 1.0;
-    const std::array<std::pair<double, double>, 4> edges{std::pair{-line.dx(), line.x1() - box.left()},
-                                                         {line.dx(), box.right() - line.x1()},
-                                                         {-line.dy(), line.y1() - box.top()},
-                                                         {line.dy(), box.bottom() - line.y1()}};
-    for (const auto &[outwards, room] : edges) {
-        if (outwards < 0.0)
-            from = std::max(from, room / outwards);
-        else if (outwards > 0.0)
-            to = std::min(to, room / outwards);
-        else if (room < 0.0)
-            return 0.0;
-    }
-    return std::max(0.0, to - from) * line.length();
+    const auto part = partWithin(box, line.p1(), line.p2());
+    return part ? (part->second - part->first) * line.length() : 0.0;
 }
 
 double LabelPlaces::covered(const QRectF &box) const

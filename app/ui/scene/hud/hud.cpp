@@ -15,6 +15,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -31,6 +32,7 @@ constexpr double margin = 20.0;
 constexpr double lowest = 20.0;        ///< of the symbols in the bottom line, above the edge
 constexpr double scaleHeight = 36.0;   ///< of the line with the scale
 constexpr double longestScale = 150.0; ///< screen px
+constexpr double besideScale = 10.0;   ///< between the scale and its text
 constexpr double legendRow = 20.0;
 constexpr double legendGap = 24.0;
 constexpr double legendPadding = 6.0;
@@ -72,6 +74,7 @@ struct Hud::Entry
     double width;
     QString text;
     bool isNews = false; ///< has just changed
+    QPointF at = {};     ///< the left end of the symbol, on the baseline of the text
 };
 
 /// Where the texts beside bodies are drawn. A text with an empty box is not drawn.
@@ -103,6 +106,14 @@ std::vector<QRectF> Hud::wordBoxes(const Camera &camera, QRectF view) const
         moved.translate(figure->shift.x, figure->shift.y);
         boxes.push_back(titleBox(*figure, Camera(moved)));
     }
+    return boxes;
+}
+
+std::vector<QRectF> Hud::textBoxes(const Camera &camera, QRectF view) const
+{
+    std::vector<QRectF> boxes = wordBoxes(camera, view);
+    const Labels placed = labels(camera, view, markers(camera, view));
+    boxes.insert(boxes.end(), {placed.card, placed.name, placed.reference});
     return boxes;
 }
 
@@ -156,10 +167,10 @@ void Hud::draw(QPainter &painter, const Camera &camera, QRectF view) const
     drawReferenceLabel(painter, m_shown, m_theme, placed.reference);
     drawCaption(painter, camera, view);
     drawClock(painter, view);
-    const double end = drawScale(painter, camera, view);
-    drawLegend(painter, camera, view, end);
+    drawScale(painter, camera, view);
+    drawLegend(painter, camera, view);
     if (m_shown.extras.ruler) {
-        const QRectF scale(view.left(), view.bottom() - scaleHeight, end, scaleHeight);
+        const QRectF scale(view.left(), view.bottom() - scaleHeight, scaleEnd(camera), scaleHeight);
         drawRuler({painter, m_shown, m_theme, camera, view}, m_shown.ruler, scale);
     }
     if (m_shown.focusVisible)
@@ -191,7 +202,14 @@ QColor Hud::captionInk() const
     return isPaper ? m_theme.tokens().ink3 : m_theme.tokens().ink2;
 }
 
-double Hud::drawScale(QPainter &painter, const Camera &camera, QRectF view) const
+double Hud::scaleEnd(const Camera &camera) const
+{
+    const double px = scaleLength(camera.zoom);
+    return margin + 0.5 + std::round(px * camera.zoom) + besideScale +
+           QFontMetricsF(m_shown.text).horizontalAdvance(pixels(plain(px)));
+}
+
+void Hud::drawScale(QPainter &painter, const Camera &camera, QRectF view) const
 {
     const double px = scaleLength(camera.zoom);
     const double y = std::round(view.bottom() - lowest) - 0.5;
@@ -200,10 +218,8 @@ double Hud::drawScale(QPainter &painter, const Camera &camera, QRectF view) cons
     painter.setPen(QPen(captionInk(), 1.3, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(QPolygonF{{x, y - 4.0}, {x, y}, {end, y}, {end, y - 4.0}});
-    const QString text = pixels(plain(px));
     painter.setFont(m_shown.text);
-    painter.drawText(QPointF(end + 10.0, y + 2.5), text);
-    return end + 10.0 + QFontMetricsF(m_shown.text).horizontalAdvance(text);
+    painter.drawText(QPointF(end + besideScale, y + 2.5), pixels(plain(px)));
 }
 
 std::vector<Hud::Entry> Hud::legend() const
@@ -241,40 +257,62 @@ QColor Hud::groundAt(const Camera &camera, double y) const
     return isBelow ? m_theme.tokens().win : m_theme.tokens().scene;
 }
 
-void Hud::drawLegend(QPainter &painter, const Camera &camera, QRectF view, double from) const
+std::vector<Hud::Entry> Hud::placedLegend(const Camera &camera, QRectF view) const
 {
-    const bool isPaper = m_shown.view().sky == lessons::View::Sky::paper;
     const QFontMetricsF metrics(m_shown.text);
-    const double left = std::max(from + legendGap, margin);
+    const double left = std::max(scaleEnd(camera) + legendGap, margin);
     double x = view.right() - margin;
     double y = std::round(view.bottom() - lowest) + 2.0;
     std::vector<Entry> entries = legend();
-    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+    std::reverse(entries.begin(), entries.end());
+    for (Entry &entry : entries) {
         // In narrow views, a long name of a ghost is shortened, or it would cover the scale.
-        const double most = view.right() - margin - left - entry->width;
-        entry->text = metrics.elidedText(entry->text, Qt::ElideRight, most);
-        const double width = entry->width + metrics.horizontalAdvance(entry->text);
+        const double most = view.right() - margin - left - entry.width;
+        entry.text = metrics.elidedText(entry.text, Qt::ElideRight, most);
+        const double width = entry.width + metrics.horizontalAdvance(entry.text);
         if (x - width < left) {
             x = view.right() - margin;
             y -= legendRow;
         }
+        entry.at = {x - width, y};
+        x -= width + legendGap;
+    }
+    return entries;
+}
+
+QRectF Hud::boxOf(const Entry &entry) const
+{
+    const double width = entry.width + QFontMetricsF(m_shown.text).horizontalAdvance(entry.text);
+    return {entry.at.x() - legendPadding, entry.at.y() - legendAscent, width + 2.0 * legendPadding,
+            legendRow};
+}
+
+QRectF Hud::legendBox(const Camera &camera, QRectF view) const
+{
+    QRectF box;
+    for (const Entry &entry : placedLegend(camera, view))
+        box |= boxOf(entry);
+    return box;
+}
+
+void Hud::drawLegend(QPainter &painter, const Camera &camera, QRectF view) const
+{
+    const bool isPaper = m_shown.view().sky == lessons::View::Sky::paper;
+    for (const Entry &entry : placedLegend(camera, view)) {
         if (isPaper) { // keeps arrows from crossing the text
-            const QRectF box(x - width - legendPadding, y - legendAscent, width + 2.0 * legendPadding,
-                             legendRow);
             painter.setPen(Qt::NoPen);
-            painter.setBrush(faded(groundAt(camera, y), legendCover));
-            painter.drawRoundedRect(box, 4.0, 4.0);
+            painter.setBrush(faded(groundAt(camera, entry.at.y()), legendCover));
+            painter.drawRoundedRect(boxOf(entry), 4.0, 4.0);
             painter.setBrush(Qt::NoBrush);
         }
-        drawEntry(painter, *entry, {x - width, y});
-        x -= width + legendGap;
+        drawEntry(painter, entry);
     }
 }
 
-void Hud::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
+void Hud::drawEntry(QPainter &painter, const Entry &entry) const
 {
     const Tokens &t = m_theme.tokens();
-    const QPointF mark = at - QPointF(0.0, 4.5);
+    const QPointF mark = entry.at - QPointF(0.0, 4.5);
     switch (entry.mark) {
     case Entry::Mark::pull:
         drawArrow(painter, {mark, {unitArrow, 0.0}, {t.ink3, 2.0}}, t.scene);
@@ -313,7 +351,7 @@ void Hud::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
     }
     painter.setFont(m_shown.text);
     painter.setPen(entry.isNews ? m_theme.tokens().ink : captionInk());
-    painter.drawText(at + QPointF(entry.width, 0.0), entry.text);
+    painter.drawText(entry.at + QPointF(entry.width, 0.0), entry.text);
 }
 
 void Hud::drawName(QPainter &painter, QRectF box) const

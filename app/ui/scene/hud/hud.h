@@ -21,22 +21,31 @@ public:
     std::vector<EdgeMarker> markers(const Camera &camera, QRectF view) const;
     /// Returns places for further labels. They avoid bodies, links, arrows, and everything that draw() places.
     LabelPlaces labelPlaces(const Camera &camera, QRectF view) const;
+    /// Returns the boxes of the texts that draw() and overlays place beside bodies. Some may be empty.
+    std::vector<QRectF> textBoxes(const Camera &camera, QRectF view) const;
+    /// Returns the box of the legend, one or more rows at the bottom right; empty if there is none.
+    QRectF legendBox(const Camera &camera, QRectF view) const;
 
 private:
     struct Entry;
     struct Labels;
 
     std::vector<Entry> legend() const;
+    /// Returns the legend with the place of each entry, from the bottom right.
+    std::vector<Entry> placedLegend(const Camera &camera, QRectF view) const;
+    /// Returns the box of an entry with its padding.
+    QRectF boxOf(const Entry &entry) const;
     /// Returns the colour of text on the background: stronger on a coloured sky.
     QColor captionInk() const;
     void drawCaption(QPainter &painter, const Camera &camera, QRectF view) const;
     void drawClock(QPainter &painter, QRectF view) const;
-    /// Draws the scale. Returns the x of its right end, screen px.
-    double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
+    /// Returns the x of the right end of the scale and its text, screen px.
+    double scaleEnd(const Camera &camera) const;
+    void drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
     /// Returns the colour of the background at `y` screen px from the top.
     QColor groundAt(const Camera &camera, double y) const;
-    void drawLegend(QPainter &painter, const Camera &camera, QRectF view, double from) const;
-    void drawEntry(QPainter &painter, const Entry &entry, QPointF at) const;
+    void drawLegend(QPainter &painter, const Camera &camera, QRectF view) const;
+    void drawEntry(QPainter &painter, const Entry &entry) const;
     void drawName(QPainter &painter, QRectF box) const;
     /// Returns the boxes of the texts in the scene: the labels of overlays, and the names of two creatures.
     std::vector<QRectF> wordBoxes(const Camera &camera, QRectF view) const;

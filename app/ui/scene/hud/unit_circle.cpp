@@ -114,9 +114,13 @@ QRect UnitCircle::boxAt(Corner corner) const
     const QRect area = freeArea(m_scene.shown(), QRectF(m_scene.viewport()->rect())).toAlignedRect();
     const bool isRight = corner == Corner::topRight || corner == Corner::bottomRight;
     const bool isTop = corner == Corner::topRight || corner == Corner::topLeft;
-    return {QPoint(isRight ? area.right() - size.width() : area.left(),
-                   isTop ? area.top() : area.bottom() - size.height()),
-            size};
+    QRect box(QPoint(isRight ? area.right() - size.width() : area.left(),
+                     isTop ? area.top() : area.bottom() - size.height()),
+              size);
+    const QRect legend = m_scene.legendBox().toAlignedRect();
+    if (legend.intersects(box)) // it has more than one row
+        box.moveBottom(legend.top() - 1);
+    return box;
 }
 
 double UnitCircle::coveredBy(const QRect &box) const

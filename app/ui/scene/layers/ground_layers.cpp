@@ -1,6 +1,7 @@
 // Layers of solid things (rooms, ramps, the ground) and of the meadow below an open sky.
 
 #include "app/model/picture/motion_area.h"
+#include "app/ui/scene/hud/free_area.h"
 #include "app/ui/scene/layers/layers.h"
 #include "app/ui/scene/layers/material.h"
 #include "app/ui/scene/layers/sky.h"
@@ -94,6 +95,7 @@ void drawDistances(const Canvas &canvas, double y)
     const QFontMetricsF metrics(canvas.shown.text);
     // Over the scale and legends, a second row of numbers would be unreadable.
     const bool hasRoom = y + tickLength + metrics.height() <= canvas.area.bottom() - bottomLines;
+    const QRectF name = nameBox(canvas.shown, canvas.camera, canvas.area);
     QList<QLineF> ticks;
     for (double at = std::floor(left / step) * step; at <= right + step; at += step) {
         const double x = std::round(canvas.camera.at({home + at, 0.0}).x());
@@ -105,8 +107,10 @@ void drawDistances(const Canvas &canvas, double y)
             GroundLayersText::tr("%1\u202fpx").arg(at < 0.0 ? QChar(0x2212) + number : number);
         const double width = metrics.horizontalAdvance(text);
         const double start = x - width / 2.0;
+        const QRectF box(start, y + tickLength + 1.0, width, metrics.height());
         // Part of a number would look like another number.
-        if (start < canvas.area.left() + besideNumber || start + width > canvas.area.right() - besideNumber)
+        if (start < canvas.area.left() + besideNumber || start + width > canvas.area.right() - besideNumber ||
+            box.intersects(name))
             continue;
         p.setPen(canvas.tokens().ink3);
         p.drawText(QPointF(start, y + tickLength + metrics.ascent() + 1.0), text);

@@ -1,20 +1,11 @@
 #include "app/ui/scene/layers/material.h"
 
-#include <cmath>
-
 namespace app {
 
 namespace {
 
 constexpr double smallestShaded = 5.0; ///< screen px; smaller discs are drawn flat
 
-}
-
-QColor mixed(const QColor &from, const QColor &to, double share)
-{
-    const auto between = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
-    return {between(from.red(), to.red()), between(from.green(), to.green()),
-            between(from.blue(), to.blue())};
 }
 
 QBrush roundBrush(const Canvas &canvas, QPointF centre, double radius, const QColor &color)

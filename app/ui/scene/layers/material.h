@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/scene/drawing/canvas.h"
+#include "app/ui/theme/colors.h"
 
 /// Light and shade, for an impression of depth. The high-contrast themes have neither.
 namespace app {
@@ -10,9 +11,6 @@ inline bool isFlat(const Theme &theme)
 {
     return theme.scheme() == Scheme::highContrast;
 }
-
-/// Returns the mix of two colours: `from` at 0, `to` at 1.
-QColor mixed(const QColor &from, const QColor &to, double share);
 
 /// Returns the brush of a disc: `color` in the middle, lighter at the top, darker at the lower rim. Small
 /// discs have one plain colour.

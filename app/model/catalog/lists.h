@@ -4,6 +4,13 @@
 
 namespace app {
 
+/// Returns whether `list` has `value`.
+template <class List, class Value>
+bool contains(const List &list, const Value &value)
+{
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
 /// Returns the first entry of `list` with this `id`; null if there is none.
 template <class List, class Id>
 auto *findById(List &list, const Id &id)
