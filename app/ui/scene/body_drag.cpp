@@ -61,9 +61,9 @@ void BodyDrag::carry(sim::Vec2 place, QPointF pointer)
         m_holds = true;
         m_playback.startForInput(); // before the grab, which makes the cursor the end of the run
         m_input.grab(*m_body);
-        m_playback.reportIfPaused();
     }
     m_input.moveTo(place + m_offset);
+    m_playback.reportIfPaused(); // after each change, which clears the status bar
 }
 
 void BodyDrag::release()
@@ -71,8 +71,10 @@ void BodyDrag::release()
     const bool held = m_holds;
     m_body.reset();
     m_holds = false;
-    if (held)
+    if (held) {
         m_input.release();
+        m_playback.reportIfPaused();
+    }
 }
 
 }

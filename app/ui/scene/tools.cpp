@@ -66,7 +66,6 @@ bool Tools::press(sim::Vec2 place)
     if (can(lessons::Interaction::pointer)) {
         m_pointing = true;
         moveTo(place);
-        m_playback.reportIfPaused();
     } else if (can(lessons::Interaction::target)) {
         m_input.setTarget(place);
         m_playback.reportIfPaused();
@@ -76,8 +75,10 @@ bool Tools::press(sim::Vec2 place)
 
 void Tools::moveTo(sim::Vec2 place)
 {
-    if (m_pointing)
-        m_input.setPointer(place, true);
+    if (!m_pointing)
+        return;
+    m_input.setPointer(place, true);
+    m_playback.reportIfPaused(); // after each change, which clears the status bar
 }
 
 void Tools::release()

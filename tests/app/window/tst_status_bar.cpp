@@ -34,6 +34,7 @@ private slots:
     void aSentenceIsThereWhileTheRunPlaysOn();
     void aSentenceGivesWayWhenTheLearnerGoesOn();
     void aSentenceOfThePauseGivesWayWhenTheRunPlays();
+    void whoDragsInThePastReadsHowToGoOn();
 };
 
 void StatusBarTest::theStatusBarTellsTheWorkOfAFrame_data()
@@ -152,6 +153,19 @@ void StatusBarTest::aSentenceOfThePauseGivesWayWhenTheRunPlays()
     QVERIFY2(shownIn(fixture).startsWith("The run is paused."), qPrintable(shownIn(fixture)));
     playback.play();
     QVERIFY2(shownIn(fixture).startsWith("Playing."), qPrintable(shownIn(fixture)));
+}
+
+void StatusBarTest::whoDragsInThePastReadsHowToGoOn()
+{
+    WindowFixture fixture;
+    Playback &playback = fixture.session.playback();
+    playback.goTo({20, 0});
+    playback.goTo({10, 0});
+    fixture.drag("foot", {30, 20});
+    QVERIFY(!playback.isPlaying());
+    QVERIFY2(shownIn(fixture).startsWith("The run is paused."), qPrintable(shownIn(fixture)));
+    playback.frameForward();
+    QVERIFY2(!shownIn(fixture).startsWith("The run is paused."), qPrintable(shownIn(fixture)));
 }
 
 SUITE(tst_status_bar, StatusBarTest)
