@@ -1,6 +1,6 @@
 #include "app/ui/dialogs/dialog_place.h"
 
-#include "app/ui/dock/window_place.h"
+#include "app/ui/dialogs/window_place.h"
 
 #include <QScreen>
 #include <QWidget>

@@ -6,10 +6,10 @@
 #include "app/model/files/autosave.h"
 #include "app/model/session/session.h"
 #include "app/ui/actions/commands.h"
+#include "app/ui/dialogs/window_place.h"
 #include "app/ui/dock/panel_layout.h"
 #include "app/ui/dock/panel_sizes.h"
 #include "app/ui/dock/plots_dock.h"
-#include "app/ui/dock/window_place.h"
 #include "app/ui/theme/theme.h"
 
 #include <QMainWindow>

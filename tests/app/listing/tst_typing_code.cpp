@@ -44,7 +44,7 @@ private slots:
         QCOMPARE(left.count(), 0);
         QTest::keyClicks(&editor, "// here");
         QVERIFY2(editor.text(5).endsWith(" // here\n"), qPrintable(editor.text()));
-        shown.panel.hide(); // takes what was typed
+        shown.panel.hide(); // applies the typed text
     }
 
     void aMistakeIsUnderlinedAndExplainedWhileTheLastGoodCodeGoesOn()

@@ -124,7 +124,7 @@ private slots:
         settle();
         QTest::keyClicks(&editor, "// here");
         QVERIFY2(editor.text(5).endsWith(" // here\n"), qPrintable(editor.text()));
-        panel.hide(); // takes what was typed
+        panel.hide(); // applies the typed text
     }
 
     void lessonsHaveNoSuchPage()

@@ -2,7 +2,7 @@
 // application of its own, as in the program: Qt reads the size only when an application begins.
 
 #include "app/ui/dialogs/dialog_place.h"
-#include "app/ui/dock/window_place.h"
+#include "app/ui/dialogs/window_place.h"
 #include "app/ui/film/film_dialog.h"
 #include "app/ui/help/about_page.h"
 #include "app/ui/map/map_page.h"

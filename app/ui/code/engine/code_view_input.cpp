@@ -234,7 +234,7 @@ void CodeView::focusInEvent(QFocusEvent *event)
     if (isByKeyboard(event->reason()))
         m_byKeyboard = true;
     else if (event->reason() == Qt::MouseFocusReason)
-        m_byKeyboard = false; // other reasons, a window or a menu that came or went, leave it as it was
+        m_byKeyboard = false; // not changed when a window or menu opens or closes
     viewport()->update();
 }
 

@@ -37,8 +37,8 @@ struct LineStop
     friend bool operator==(const LineStop &, const LineStop &) = default;
 };
 
-/// An editor for the listing of a step, with values at the ends of lines, or for a rule of the sandbox. It tells
-/// what the learner typed, and shows what it is told.
+/// An editor for the listing of a step, with values at the ends of lines, or for a rule of the sandbox. It
+/// reports what the learner typed.
 ///
 /// A click in the margin asks to run to a line; Ctrl and a click, F9, or a click on its dot ask for a breakpoint or remove
 /// it. A parameter or a number can be dragged sideways. Esc leaves the editor. Tab

@@ -1,4 +1,4 @@
-#include "app/ui/dock/window_place.h"
+#include "app/ui/dialogs/window_place.h"
 
 #include <QGuiApplication>
 #include <QScreen>
