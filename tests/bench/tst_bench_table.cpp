@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(results.medians.at("a").nanoseconds, nanoseconds);
     }
 
-    void whatIsMeasuredByTheClockIsReadByTheClock()
+    void rowsMeasuredByTheWallClockAreReadByIt()
     {
         const Results results =
             resultsOf(median("a/4/real_time", 2.0) + "," + median("b/4/iterations:7", 2.0) + "," +

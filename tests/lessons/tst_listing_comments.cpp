@@ -58,7 +58,7 @@ private slots:
     void onlyCommentsDiffer();
     void aTextOfAnotherLanguageIsUntouched_data() { addRows(); }
     void aTextOfAnotherLanguageIsUntouched();
-    void whatTheLearnerWroteStays();
+    void theLearnersTextStays();
     void lessonsAgreeOnTheirComments();
 
 private:
@@ -145,7 +145,7 @@ void ListingComments::aTextOfAnotherLanguageIsUntouched()
     }
 }
 
-void ListingComments::whatTheLearnerWroteStays()
+void ListingComments::theLearnersTextStays()
 {
     const QString lesson = QStringLiteral("single_spring");
     QString german;

@@ -57,7 +57,7 @@ private slots:
     void restingRunSleeps();
     void runWithRandomNumbersStaysAwake();
     void otherStepsAreRejected();
-    void missingMemoryStartsAnew();
+    void missingMemoryIsInitialised();
 };
 
 void ListingMethodSuite::goingBackIsExact()
@@ -177,7 +177,7 @@ void ListingMethodSuite::otherStepsAreRejected()
     }
 }
 
-void ListingMethodSuite::missingMemoryStartsAnew()
+void ListingMethodSuite::missingMemoryIsInitialised()
 {
     Bench bench("double clock = 8;\n" + frameOf("clock += 1;\nbody.position.x = clock;"));
     bench.state.memory.assign(3, std::byte{9}); // of another listing

@@ -19,7 +19,7 @@ private slots:
     void globalsBeginWithTheParametersOfTheFirstFrame();
     void globalsSurviveThatACreatureLeaves();
     void globalsSurviveThatAStickLeaves();
-    void localsStartAnewInEveryFrame();
+    void localsAreInitialisedInEveryFrame();
 };
 
 void ListingVariables::globalsAreInTheState()
@@ -46,7 +46,7 @@ void ListingVariables::globalsBeginWithTheParametersOfTheFirstFrame()
     bench.binding.parameters[2] = 8;
     QVERIFY(!bench.run());
     QCOMPARE(bench.body().x, 4.0);
-    bench.binding.parameters[2] = 100; // later changes do not set them anew
+    bench.binding.parameters[2] = 100; // later changes do not reach them
     QVERIFY(!bench.run());
     QCOMPARE(bench.body().x, 4.0);
 }
@@ -60,7 +60,7 @@ void ListingVariables::globalsSurviveThatACreatureLeaves()
     sim::Scene fewer = scenes::crowd(2, 2);
     fewer.start.gait = fewer.start.gaitSpeed = Eigen::ArrayXd::Zero(2);
     fewer.values = first.scene.values;
-    Bench second(text, fewer); // compiled anew, so its globals had no value yet
+    Bench second(text, fewer); // compiled again, so its globals had no value yet
     second.state.memory = first.state.memory;
     QVERIFY(!second.run());
     QCOMPARE(second.state.gait[0], 4.0);
@@ -75,14 +75,14 @@ void ListingVariables::globalsSurviveThatAStickLeaves()
     sim::Scene fewer = twoSticks();
     fewer.effects.clear();
     scenes::add<sim::Sticks>(fewer, std::vector<sim::Stick>{{0, 1, 10, 0.25}}, 3);
-    Bench second(text, fewer); // compiled anew, so its globals had no value yet
+    Bench second(text, fewer); // compiled again, so its globals had no value yet
     second.state.memory = first.state.memory;
     QVERIFY(!second.run());
     QVERIFY(second.state.positionOf(0) == (Vec2{12, 0}));
     QVERIFY(second.state.positionOf(1) == (Vec2{3, 12}));
 }
 
-void ListingVariables::localsStartAnewInEveryFrame()
+void ListingVariables::localsAreInitialisedInEveryFrame()
 {
     Bench bench =
         Bench::ofFrame("double sum = 0; Vec2 v; sum += 1; v.x += 2; body.position = Vec2(sum, v.x);");

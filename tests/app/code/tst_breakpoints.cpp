@@ -208,7 +208,7 @@ private slots:
         QVERIFY(fixture.session.playback().breakHit());
     }
 
-    void whatRestsPlaysOnToAFrameThatIsAskedFor()
+    void aRestingRunPlaysOnToTheFrameOfABreakpoint()
     {
         Fixture fixture("single_spring", "radial");
         fixture.session.playback().goTo({20000, 0});
@@ -222,7 +222,7 @@ private slots:
         QCOMPARE(fixture.at(), (sim::Cursor{frame, 0}));
     }
 
-    void whatRestsIsLeftAloneWhenNothingCanComeTrueAnyMore()
+    void aRestingRunWaitsIfNoBreakpointCanBeReached()
     {
         Fixture fixture("single_spring", "radial");
         fixture.session.playback().goTo({20000, 0});

@@ -185,7 +185,7 @@ private slots:
     }
 
     /// With what is new taken out and what is gone put in, the lines of the step before are there again.
-    void whatIsGoneAndNotNewIsTheStepBefore_data()
+    void removedAndUnchangedLinesAreTheStepBefore_data()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("before");
@@ -196,7 +196,7 @@ private slots:
                     << lesson.id << lesson.steps[i - 1].id << lesson.steps[i].id;
         }
     }
-    void whatIsGoneAndNotNewIsTheStepBefore()
+    void removedAndUnchangedLinesAreTheStepBefore()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, before);

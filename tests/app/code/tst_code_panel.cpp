@@ -100,7 +100,7 @@ private slots:
         QVERIFY(again.view().rowRect(again.row("force.add(")).isEmpty());
     }
 
-    void whatComputesNothingIsPale()
+    void linesThatComputeNothingArePale()
     {
         CodeFixture shown("single_spring", "fixed_centre");
         QVERIFY(!shown.view().isQuiet(shown.row("d = target - mover")));
@@ -239,7 +239,7 @@ private slots:
         QVERIFY(shown.view().placeOf(shown.view().row()) == place); // where the keyboard was
     }
 
-    void whereNothingIsGoneThatIsSaid()
+    void aStepWithoutRemovedLinesSaysSo()
     {
         const LessonEntry &first = library().lessons.front();
         CodeFixture shown(first.id, first.steps.front().id);
@@ -316,7 +316,7 @@ private slots:
         QCOMPARE(shown.view().rowRect(0), before);
     }
 
-    void whatRunsInEveryFrameComesIntoViewWhenTheRunBegins()
+    void theCodeOfAFrameScrollsIntoViewWhenTheRunBegins()
     {
         CodeFixture shown;
         QCOMPARE(shown.view().rowRect(0).top(), 0);

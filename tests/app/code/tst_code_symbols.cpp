@@ -118,7 +118,7 @@ private slots:
         QVERIFY(!found.contains("Walls half half"));
     }
 
-    void aNameThatTheCodeComputesAnewIsNoParameter()
+    void aNameThatTheCodeRecomputesIsNoParameter()
     {
         // Here the parameter is called as what is left in one step.
         const lessons::Step &step = stepOf("codeling", "motor");

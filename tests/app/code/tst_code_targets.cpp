@@ -73,7 +73,7 @@ private slots:
         QCOMPARE(draggedValue(one, 0.0, 500), 2.0);
     }
 
-    void whatIsTypedIsTakenOrRefused_data()
+    void typedValuesAreAcceptedOrRefused_data()
     {
         QTest::addColumn<QString>("parameter");
         QTest::addColumn<QString>("text");
@@ -100,7 +100,7 @@ private slots:
         QTest::newRow("feet") << "feet"
                               << "7" << 7.0;
     }
-    void whatIsTypedIsTakenOrRefused()
+    void typedValuesAreAcceptedOrRefused()
     {
         QFETCH(QString, parameter);
         QFETCH(QString, text);

@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(fixture.ask(text), answer);
     }
 
-    void whatMakesNoSenseIsRefusedWithItsPlaceAndARemedy_data()
+    void invalidConditionsAreRefusedWithTheirPlaceAndARemedy_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("place");
@@ -211,7 +211,7 @@ private slots:
         row("frame == 1 & frame == 2", 12, "has no meaning");
         row("foot0.y > 1 AND k > 1", 13, "cannot directly follow");
     }
-    void whatMakesNoSenseIsRefusedWithItsPlaceAndARemedy()
+    void invalidConditionsAreRefusedWithTheirPlaceAndARemedy()
     {
         QFETCH(QString, text);
         QFETCH(int, place);
@@ -248,7 +248,7 @@ private slots:
         }
     }
 
-    void whereBodiesTurnTheirAnglesCanBeAskedFor()
+    void conditionsReadTheAnglesOfBodiesThatTurn()
     {
         ConditionFixture fixture("swaying_tree", "branches");
         QVERIFY(fixture.state.angle.size() > 0);

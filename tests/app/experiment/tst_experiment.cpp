@@ -123,7 +123,7 @@ private slots:
     }
     void textThatIsNoExperimentIsRefused() { checkRow(); }
 
-    void whatAnExperimentMustHaveIsAskedFor_data()
+    void missingRequiredFieldsAreNamed_data()
     {
         addColumns();
         const auto row = [](const char *name, const QByteArray &text, const QString &sentence) {
@@ -163,7 +163,7 @@ private slots:
             "\"parameters\", \"bodies\", \"links\", \"seed\", \"input\", \"draft\", \"name\", \"named\", "
             "\"kept\", \"branches\".");
     }
-    void whatAnExperimentMustHaveIsAskedFor() { checkRow(); }
+    void missingRequiredFieldsAreNamed() { checkRow(); }
 
     void aFieldOutOfItsRangeIsRefused_data()
     {

@@ -28,7 +28,7 @@ private slots:
         QVERIFY(text.contains(h == 5.0 ? "\"fork\": 6" : "\"fork\": 8"));
     }
 
-    void whatIsNeitherNamedNorKeptIsNotWritten()
+    void branchesNeitherNamedNorKeptAreNotWritten()
     {
         Experiment experiment = everything();
         const QByteArray before = experimentText(experiment, library());

@@ -80,7 +80,7 @@ private slots:
     }
     void anEventThatMakesNoSenseIsRefused() { checkRow(); }
 
-    void whatIsPossibleIsAccepted_data()
+    void possibleInputIsAccepted_data()
     {
         QTest::addColumn<QByteArray>("text");
         const auto row = [](const char *name, const QByteArray &text) { QTest::newRow(name) << text; };
@@ -111,7 +111,7 @@ private slots:
                  "\"event\": "
                  "\"set\", \"parameter\": \"feet\", \"value\": 8}]"));
     }
-    void whatIsPossibleIsAccepted()
+    void possibleInputIsAccepted()
     {
         QFETCH(QByteArray, text);
         QCOMPARE(errorOf(text), QString());

@@ -43,7 +43,7 @@ class TestExperimentOutside : public QObject
     Q_OBJECT
 
 private slots:
-    void whatIsWrongIsNamedWithItsPlace_data()
+    void errorsNameTheirPlace_data()
     {
         user_errors::addColumns();
         const auto row = [](const char *name, const QByteArray &text, const QString &sentence) {
@@ -100,7 +100,7 @@ private slots:
         row("links that are no list", sticks(points(2) + ",\n\"links\": 3"),
             "line 6: \"links\" is 3; it must be a list in [ ].");
     }
-    void whatIsWrongIsNamedWithItsPlace() { user_errors::checkRow(); }
+    void errorsNameTheirPlace() { user_errors::checkRow(); }
 
     void theFilesBodiesAreThePoints_data()
     {
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(experiment.script.values.sticks->front().share, 0.5);
     }
 
-    void whatIsReadIsWrittenTheSame_data()
+    void readFilesAreWrittenTheSame_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::newRow("keys and a pointer")
@@ -145,7 +145,7 @@ private slots:
                                   "\"share\": 0.125}]");
         QTest::newRow("points without sticks") << sticks(points(3) + ", \"links\": []");
     }
-    void whatIsReadIsWrittenTheSame()
+    void readFilesAreWrittenTheSame()
     {
         QFETCH(QByteArray, text);
         static const LessonLibrary library = LessonLibrary::load({LESSON_DIR});

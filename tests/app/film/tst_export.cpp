@@ -207,7 +207,7 @@ void ExportTest::aFilmThatIsThereIsWrittenOverWhenThatIsWanted()
     QPushButton &make = *defaultButton(dialog);
     QCOMPARE(make.text(), QString("&Replace"));
     QTest::keyClick(&file, Qt::Key_End);
-    QTest::keyClick(&file, Qt::Key_Backspace); // another name, and the same again: it is asked about anew
+    QTest::keyClick(&file, Qt::Key_Backspace); // another name, and the same again: the dialog asks again
     QCOMPARE(make.text(), QString("&Make the film"));
     QVERIFY(dialog.message().isEmpty());
     QTest::keyClicks(&file, "f");

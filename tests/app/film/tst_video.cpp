@@ -139,7 +139,7 @@ private slots:
         }
     }
 
-    void aVideoThatIsGivenUpLeavesNoFile()
+    void aCancelledVideoLeavesNoFile()
     {
         SessionFixture fixture(LessonLibrary::load({LESSON_DIR}));
         const FilmPlan plan = videoPlan(fixture, m_folder.filePath("e.webm"));

@@ -77,11 +77,11 @@ private slots:
     void numbersHaveACommaOnTheScreen();
     void everyStepIsTranslated_data() { addTranslatedLanguages(); }
     void everyStepIsTranslated();
-    void whatTheCoreNamesIsTranslated_data() { addTranslatedLanguages(); }
-    void whatTheCoreNamesIsTranslated();
+    void namesFromTheSimulationAreTranslated_data() { addTranslatedLanguages(); }
+    void namesFromTheSimulationAreTranslated();
     void bodiesOfProjectsAreTranslated_data() { addTranslatedLanguages(); }
     void bodiesOfProjectsAreTranslated();
-    void whatIsBuiltIsCalledAsInThePicture();
+    void sectionsOfPropertiesUseTheNamesOfThePicture();
     void noLetterOpensTwoEntriesOfAMenu_data();
     void noLetterOpensTwoEntriesOfAMenu();
     void theLanguageThatIsSpokenAsksForNoNewWindow();
@@ -150,7 +150,7 @@ void LanguagesTest::everyStepIsTranslated()
     }
 }
 
-void LanguagesTest::whatTheCoreNamesIsTranslated()
+void LanguagesTest::namesFromTheSimulationAreTranslated()
 {
     QFETCH(QString, language);
     Language spoken(language);
@@ -200,7 +200,7 @@ void LanguagesTest::bodiesOfProjectsAreTranslated()
     QVERIFY(bodies > 20);
 }
 
-void LanguagesTest::whatIsBuiltIsCalledAsInThePicture()
+void LanguagesTest::sectionsOfPropertiesUseTheNamesOfThePicture()
 {
     const TranslatedWindow german("de");
     sim::Blueprint plan;

@@ -163,7 +163,7 @@ void TranslatedWindowTest::thePageOfKeysIsNotSquashed()
     m_shown.reset();
     QFETCH(QString, language);
     TranslatedWindow shown(language);
-    for (int i = 0; i < 2; ++i) { // it is arranged anew each time
+    for (int i = 0; i < 2; ++i) { // it is arranged again each time
         for (QAction *action : shown.window.findChildren<QAction *>()) {
             if (action->shortcuts().contains(QKeySequence(Qt::Key_F1)))
                 action->trigger();

@@ -110,8 +110,8 @@ private slots:
         });
     }
 
-    void whatHasALetterToPressKeepsOne_data() { files(); }
-    void whatHasALetterToPressKeepsOne()
+    void translationsKeepTheMnemonic_data() { files(); }
+    void translationsKeepTheMnemonic()
     {
         eachForm([](const Entry &entry, const QString &form) {
             return foundIn(entry.source, "&\\w").size() == foundIn(form, "&\\w").size();

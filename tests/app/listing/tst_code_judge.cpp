@@ -108,7 +108,7 @@ private slots:
     void aNumberInPlaceOfAParameterIsToldApart();
     void aMistakeThatNeedsTheHandNamesTheHeldBody();
     void aDifferenceBelowRoundingIsRight();
-    void whatDoesNotCompileTellsItsLine();
+    void codeThatDoesNotCompileTellsItsLine();
     void aRuntimeMistakeTellsItsLine();
     void anEndlessLoopEnds();
     void canBeCancelled();
@@ -335,7 +335,7 @@ void CodeJudgeTest::aDifferenceBelowRoundingIsRight()
     QVERIFY(kindWith("1e-8") == Verdict::Kind::wrong);
 }
 
-void CodeJudgeTest::whatDoesNotCompileTellsItsLine()
+void CodeJudgeTest::codeThatDoesNotCompileTellsItsLine()
 {
     const Assignment one = assignment("single_spring", "fixed_centre", "pull");
     const Verdict verdict = one.judged("foot.velocty += k;");

@@ -340,7 +340,7 @@ private slots:
         QVERIFY(!session.code().mistakes().empty());
     }
 
-    void whatNeedsAShorterStepIsStillToDo()
+    void aTryThatNeedsAShorterStepIsStillToDo()
     {
         Opened opened("multi_foot", "grown_feet");
         Session &session = opened.session;
@@ -358,7 +358,7 @@ private slots:
         QCOMPARE(session.timeline().script().step.h, 0.5);
     }
 
-    void whatNeedsPhasesIsStillToDo()
+    void aTryThatNeedsPhasesIsStillToDo()
     {
         Opened opened("rigid_constraint", "pair"); // its try asks for the pointer first, then for a phase
         Session &session = opened.session;

@@ -329,7 +329,7 @@ private slots:
         QCOMPARE(stopLines(shown.session), QList<int>());
     }
 
-    void whatIsTypedAboveMovesTheDot()
+    void aLineTypedAboveMovesTheDot()
     {
         ListingFixture shown("single_spring", "radial");
         const int line = shown.line("foot.velocity *= damp");

@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(chipAt(opened, "Vec2 end").text, "end = " + shownText(sim::Vec2{275.0, 300.0}));
     }
 
-    void whatTheSceneRemembersHasValuesToo()
+    void variablesOfTheSceneHaveValuesToo()
     {
         Opened opened("walking_gait", "steering");
         Session &session = opened.session;

@@ -135,7 +135,7 @@ private slots:
         QVERIFY(!sameRun(first, opened.session.step().script()));
     }
 
-    void whatIsWrongIsRefusedWithItsLine_data()
+    void aWrongListingFileIsRefusedWithTheLine_data()
     {
         user_errors::addColumns();
         const auto row = [](const char *name, const QByteArray &fields, const QString &sentence) {
@@ -168,7 +168,7 @@ private slots:
         row("a tolerance", "\"method\": \"listing\",\n\"tolerance\": 1e-6,\n\"code\": \"void frame() {}\"",
             "line 6: the method \"listing\" has fixed steps; give \"h\" instead of \"tolerance\".");
     }
-    void whatIsWrongIsRefusedWithItsLine() { user_errors::checkRow(); }
+    void aWrongListingFileIsRefusedWithTheLine() { user_errors::checkRow(); }
 
     void mutatedFilesAreReadOrRefused()
     {

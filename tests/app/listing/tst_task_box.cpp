@@ -104,7 +104,7 @@ private slots:
     void theButtonsOfATaskStayInView();
     void nothingIsCutOffInASmallWindow_data();
     void nothingIsCutOffInASmallWindow();
-    void whatNeedsAPhaseSaysHowToGetOne();
+    void aTryThatNeedsAPhaseSaysHowToGetOne();
 };
 
 void TaskBoxTest::tasksAreUnfoldedAndStartedWithTheMouse()
@@ -319,7 +319,7 @@ void TaskBoxTest::nothingIsCutOffInASmallWindow()
     QVERIFY(rows.back()->visibleRegion().boundingRect().bottom() >= rows.back()->height() - 1);
 }
 
-void TaskBoxTest::whatNeedsAPhaseSaysHowToGetOne()
+void TaskBoxTest::aTryThatNeedsAPhaseSaysHowToGetOne()
 {
     listing_window::ListingFixture shown("rigid_constraint", "pair");
     shown.window.findChild<LearnPanel *>()->setForm(LearnPanel::Form::whole);

@@ -36,7 +36,7 @@ private slots:
                 .endsWith("branches off at the start"));
     }
 
-    void whatGoesOnAtTheEndLeavesNoBranch()
+    void draggingAtTheEndOfTheRunLeavesNoBranch()
     {
         World world;
         world.session.playback().goTo({30, 0});
@@ -193,7 +193,7 @@ private slots:
         QVERIFY(world.names().contains(second));
     }
 
-    void whatIsDeletedIsGoneUntilThatIsUndone()
+    void aDeletedBranchIsGoneUntilTheDeletionIsUndone()
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);

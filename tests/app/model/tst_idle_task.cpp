@@ -73,7 +73,7 @@ private slots:
         }));
     }
 
-    void whatIsStoppedStays()
+    void aStoppedTaskDoesNotContinue()
     {
         Work work(3);
         work.later.run();

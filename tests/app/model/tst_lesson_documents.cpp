@@ -64,7 +64,7 @@ private slots:
     void aChangeIsFollowedAndTheRunStays();
     void aMistakeIsToldAndTheLastGoodTextStays();
     void theQuestionsOfALessonAreFollowed();
-    void whatConceptsRestOnIsChecked();
+    void thePrerequisitesOfConceptsAreChecked();
     void withoutAFolderNothingChanges();
 };
 
@@ -145,7 +145,7 @@ void LessonDocumentsTest::theQuestionsOfALessonAreFollowed()
     QCOMPARE(recall.questions.size(), count);
 }
 
-void LessonDocumentsTest::whatConceptsRestOnIsChecked()
+void LessonDocumentsTest::thePrerequisitesOfConceptsAreChecked()
 {
     DocumentFolder lessons;
     const QByteArray text = DocumentFolder::embedded("mutual.md");

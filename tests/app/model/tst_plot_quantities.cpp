@@ -187,7 +187,7 @@ private slots:
             QVERIFY(std::abs(row[0] - std::hypot(row[1] - row[3], row[2] - row[4])) < 1e-12);
     }
 
-    void whatASceneDoesNotHaveIsSaidInASentence_data()
+    void aQuantityThatTheSceneLacksIsExplainedInASentence_data()
     {
         QTest::addColumn<QString>("step");
         QTest::addColumn<QString>("what");
@@ -211,7 +211,7 @@ private slots:
                                                 << "the energy cannot be counted";
     }
 
-    void whatASceneDoesNotHaveIsSaidInASentence()
+    void aQuantityThatTheSceneLacksIsExplainedInASentence()
     {
         QFETCH(QString, step);
         QFETCH(QString, what);
@@ -280,7 +280,7 @@ private slots:
         QVERIFY(sixth[3].isEmpty() && !sixth[1].isEmpty()); // where it ends
     }
 
-    void whatCannotBeWrittenIsSaidAndWhatIsLeftOffLeavesNothing()
+    void aTableThatCannotBeWrittenSaysSoAndACancelledOneLeavesNothing()
     {
         const QTemporaryDir folder;
         NumberTable nowhere(sheetOf("fall", 10), folder.filePath("no/such/folder/a.csv"));

@@ -103,7 +103,7 @@ private slots:
         }
     }
 
-    void whatIsForgottenCanBeAddedAgain()
+    void forgottenSamplesCanBeAddedAgain()
     {
         Samples samples(1, 0, 1, 4);
         for (double value = 0.0; value < 22.0; value += 1.0)
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(fixture.isRight());
     }
 
-    void aChangeIsReadAnewAndLeavesTheGhost()
+    void aChangeIsReadAgainAndLeavesTheGhost()
     {
         PlottedRun fixture;
         QVERIFY(fixture.isThere(200));
@@ -229,7 +229,7 @@ private slots:
         QCOMPARE(fixture.series.now()[0], fallFrom + gravity * 11.0 * 12.0 / 2.0);
     }
 
-    void whatFollowsTheSelectedBodyIsReadAnew()
+    void plotsOfTheSelectedBodyAreReadAnew()
     {
         PlottedRun fixture;
         QVERIFY(fixture.isThere(60));

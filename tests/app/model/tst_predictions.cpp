@@ -72,8 +72,8 @@ private slots:
     void newTextsOfTheStepAreFollowed();
     void theRunOfAPredictionTicksNothing();
     void theRunOfAPredictionSaysWhyNothingCountsInIt();
-    void whatThePredictionDidIsNotTickedWhenTheLearnerGoesOn();
-    void whatThePredictionDidIsNotTickedWhenTheRunComesBack();
+    void changesByThePredictionAreNotTickedWhenTheLearnerGoesOn();
+    void changesByThePredictionAreNotTickedWhenTheRunComesBack();
     void aPlaceIsPickedAtTheBeginningOfTheRun();
     void outcomesAreSentences_data();
     void outcomesAreSentences();
@@ -244,7 +244,7 @@ void PredictionsTest::theRunOfAPredictionSaysWhyNothingCountsInIt()
 }
 
 // In the step "branches", the prediction sets the spread to 90°, which is also the first thing to try.
-void PredictionsTest::whatThePredictionDidIsNotTickedWhenTheLearnerGoesOn()
+void PredictionsTest::changesByThePredictionAreNotTickedWhenTheLearnerGoesOn()
 {
     PredictionFixture fixture("branches", "swaying_tree");
     RunEditor &editor = fixture.session.editor();
@@ -262,7 +262,7 @@ void PredictionsTest::whatThePredictionDidIsNotTickedWhenTheLearnerGoesOn()
     QVERIFY(fixture.isTicked(0));
 }
 
-void PredictionsTest::whatThePredictionDidIsNotTickedWhenTheRunComesBack()
+void PredictionsTest::changesByThePredictionAreNotTickedWhenTheRunComesBack()
 {
     PredictionFixture fixture("branches", "swaying_tree");
     RunEditor &editor = fixture.session.editor();

@@ -129,7 +129,7 @@ private slots:
         QVERIFY(sim::sameBits(run.session.timeline().state(), run.straight(run.session.timeline().cursor())));
     }
 
-    void whateverIsDoneIsDoneWhereTheRunStands_data()
+    void editsApplyToTheRunAndNotToThePreview_data()
     {
         QTest::addColumn<std::function<void(Session &)>>("edit");
         const auto row = [](const char *name, std::function<void(Session &)> edit) {
@@ -150,7 +150,7 @@ private slots:
         row("undo", [](Session &s) { s.editor().undo(); });
         row("start afresh", [](Session &s) { s.editor().startAfresh(); });
     }
-    void whateverIsDoneIsDoneWhereTheRunStands()
+    void editsApplyToTheRunAndNotToThePreview()
     {
         QFETCH(std::function<void(Session &)>, edit);
         DraggedRun plain("multi_foot", "two_feet"), previewed("multi_foot", "two_feet");
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(SessionSnapshot(previewed.session).isLike(SessionSnapshot(plain.session)));
     }
 
-    void whatIsDoneIsSaidOfTheRunAndNotOfThePreview()
+    void changesAreReportedForTheRunAndNotForThePreview()
     {
         DraggedRun run("multi_foot", "two_feet");
         run.session.preview().show({7, 0});

@@ -1,4 +1,4 @@
-// What was tried stays ticked: in this program, and when it is started anew.
+// What was tried stays ticked: in this program, and when it is started again.
 
 #include "app/model/catalog/progress.h"
 #include "tests/suite.h"

@@ -85,7 +85,7 @@ private slots:
     void theStartSceneDoesNotPass_data() { addLevelRows(); }
     void theStartSceneDoesNotPass();
     void theFirstFrameThatFailsIsNamed();
-    void whatNeverHappensIsNamedWithTheLastFrame();
+    void aDemandThatIsNeverMetIsNamedWithTheLastFrame();
     void eachConditionHasAMark();
     void countsAreOfTheLearnersScene_data();
     void countsAreOfTheLearnersScene();
@@ -152,7 +152,7 @@ void ProjectJudgeTest::theFirstFrameThatFailsIsNamed()
         qPrintable(verdict.sentence));
 }
 
-void ProjectJudgeTest::whatNeverHappensIsNamedWithTheLastFrame()
+void ProjectJudgeTest::aDemandThatIsNeverMetIsNamedWithTheLastFrame()
 {
     using When = lessons::ProjectDemand::When;
     const QString never = sentenceOn(trialWith("single_spring", "foot.x > 500", When::once));

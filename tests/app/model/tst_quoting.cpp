@@ -13,7 +13,7 @@ class WordsTest : public QObject
     Q_OBJECT
 
 private slots:
-    void whatCannotBeSeenIsEscaped_data()
+    void invisibleCharactersAreEscaped_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("shown");
@@ -32,7 +32,7 @@ private slots:
         row("a tag", QString::fromUcs4(U"\U000E0041", 1), "\\udb40\\udc41");
         row("zero", QString(QChar(0)), "\\u0000");
     }
-    void whatCannotBeSeenIsEscaped()
+    void invisibleCharactersAreEscaped()
     {
         QFETCH(QString, text);
         QFETCH(QString, shown);

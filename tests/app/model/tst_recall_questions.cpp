@@ -124,8 +124,8 @@ private slots:
     void everyQuestionFitsItsScene();
     void aSceneThatDoesNotFitIsNamed_data();
     void aSceneThatDoesNotFitIsNamed();
-    void whatIsAskedForCanBeDone_data();
-    void whatIsAskedForCanBeDone();
+    void theSolutionOfEachQuestionIsAccepted_data();
+    void theSolutionOfEachQuestionIsAccepted();
     void anythingElseIsNotAccepted_data();
     void anythingElseIsNotAccepted();
     void everySceneHasASolutionHere();
@@ -184,7 +184,7 @@ void RecallQuestionsTest::aSceneThatDoesNotFitIsNamed()
     }
 }
 
-void RecallQuestionsTest::whatIsAskedForCanBeDone_data()
+void RecallQuestionsTest::theSolutionOfEachQuestionIsAccepted_data()
 {
     QTest::addColumn<int>("number");
     int number = 0;
@@ -192,7 +192,7 @@ void RecallQuestionsTest::whatIsAskedForCanBeDone_data()
         QTest::addRow("%s: %s", one.lesson, one.question) << number++;
 }
 
-void RecallQuestionsTest::whatIsAskedForCanBeDone()
+void RecallQuestionsTest::theSolutionOfEachQuestionIsAccepted()
 {
     QFETCH(int, number);
     const RecallSolution &solution = recallSolutions[number];

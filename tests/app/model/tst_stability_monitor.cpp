@@ -62,7 +62,7 @@ class StabilityMonitorTest : public QObject
 
 private slots:
     void theReadingFollowsTheSession();
-    void whatWasComputedLaterChangesNoReading();
+    void framesComputedLaterChangeNoReading();
     void aBurstOfChangesGivesFewReadingsAndTheLastIsRight();
     void nothingIsReadWhileNothingChanges();
     void remediesAreComputedOnlyWhileTheyAreShown();
@@ -78,7 +78,7 @@ private slots:
     void theMapHoldsWhereReadingsHold();
     void theMapEndsWhenItIsNoLongerRequested();
     void thereIsNoMapWithoutStiffnessOrLimit();
-    void whatALearnerTriesIsKept();
+    void earlierSettingsStayOnTheMap();
     void everyStepOfEveryLessonHasAReading();
 };
 
@@ -101,7 +101,7 @@ void StabilityMonitorTest::theReadingFollowsTheSession()
 }
 
 /// The row to come has more points than the moment itself.
-void StabilityMonitorTest::whatWasComputedLaterChangesNoReading()
+void StabilityMonitorTest::framesComputedLaterChangeNoReading()
 {
     MonitoredRun pending("walking_gait", "company"), computed("walking_gait", "company");
     const auto go = [](MonitoredRun &fixture, std::int64_t frame) {
@@ -373,7 +373,7 @@ void StabilityMonitorTest::thereIsNoMapWithoutStiffnessOrLimit()
     QVERIFY(!sticks.monitor.isMapping());
 }
 
-void StabilityMonitorTest::whatALearnerTriesIsKept()
+void StabilityMonitorTest::earlierSettingsStayOnTheMap()
 {
     MonitoredRun fixture;
     fixture.session.editor().setParameter("k", 0.3);

@@ -27,7 +27,7 @@ class UndoTest : public QObject
     Q_OBJECT
 
 private slots:
-    void whatChangedNothingIsNoEntry()
+    void editsWithoutAChangeAreNotOnTheUndoStack()
     {
         LegsWorld world;
         Session &session = world.session;
@@ -141,7 +141,7 @@ private slots:
         QVERIFY(session.timeline().script().input.empty());
     }
 
-    void whatWasUndoneStaysBesideItAsAGhost()
+    void anUndoneRunStaysAsAGhost()
     {
         LegsWorld world;
         Session &session = world.session;

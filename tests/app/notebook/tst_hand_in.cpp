@@ -110,7 +110,7 @@ class HandInTest : public QObject
 private slots:
     void init() { forgetRecords(); }
     void withNothingDoneItSaysWhatToDo();
-    void whatIsDoneByHandIsVerifiedAndShownOnPages();
+    void handedInWorkIsVerifiedAndShownOnPages();
     void itAsksBeforeItReplaces();
     void theWindowNamesANotebookThatItCannotOpen();
     void theTeacherChecksSeveral();
@@ -129,7 +129,7 @@ void HandInTest::withNothingDoneItSaysWhatToDo()
     QVERIFY(fixture.part<QListWidget>("handInLessons").isHidden());
 }
 
-void HandInTest::whatIsDoneByHandIsVerifiedAndShownOnPages()
+void HandInTest::handedInWorkIsVerifiedAndShownOnPages()
 {
     HandInFixture fixture;
     fixture.tryFirst();

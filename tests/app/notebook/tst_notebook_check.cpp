@@ -97,8 +97,8 @@ class NotebookCheckTest : public QObject
     Q_OBJECT
 
 private slots:
-    void whatWasDoneIsShown_data();
-    void whatWasDoneIsShown();
+    void theWorkInANotebookIsShown_data();
+    void theWorkInANotebookIsShown();
     void aNotebookOfALessonIsSmall();
     void aForgeryIsFoundOut_data();
     void aForgeryIsFoundOut();
@@ -113,7 +113,7 @@ private slots:
     void theJsonHasTheDocumentedShape();
 };
 
-void NotebookCheckTest::whatWasDoneIsShown_data()
+void NotebookCheckTest::theWorkInANotebookIsShown_data()
 {
     QTest::addColumn<QString>("lesson");
     const QStringList slow = {"swaying_tree", "accuracy",
@@ -124,7 +124,7 @@ void NotebookCheckTest::whatWasDoneIsShown_data()
     }
 }
 
-void NotebookCheckTest::whatWasDoneIsShown()
+void NotebookCheckTest::theWorkInANotebookIsShown()
 {
     QFETCH(QString, lesson);
     const Notebook read =

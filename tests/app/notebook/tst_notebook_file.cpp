@@ -96,7 +96,7 @@ class NotebookFileTest : public QObject
     Q_OBJECT
 
 private slots:
-    void whatIsWrittenIsRead();
+    void aWrittenNotebookIsReadBack();
     void aNotebookWithoutANameNamesNobody();
     void anotherLayoutKeepsTheSeal();
     void aBadFileIsOneSentence_data();
@@ -110,7 +110,7 @@ private slots:
     void thePdfHasPages();
 };
 
-void NotebookFileTest::whatIsWrittenIsRead()
+void NotebookFileTest::aWrittenNotebookIsReadBack()
 {
     const Notebook book = shortNotebook();
     const Notebook read = parseNotebook(shortText(), "a", allLessons());

@@ -32,7 +32,7 @@ private slots:
     void aTargetThatNothingReachesIsSaid();
     void aScreenReaderHearsWhatIsChosen();
     void cancelStopsAndMeasureAgainGoesOn();
-    void whereNothingMovesTheVerdictSaysSo();
+    void aSceneWithoutMotionHasAVerdictThatSaysSo();
     void aBeginnerSeesThreeMethods();
     void theTimeOfAFrameIsInSightIfItIsNear();
     void allMethodsAreAClickAwayAndThatIsRemembered();
@@ -329,7 +329,7 @@ void AccuracyPanelTest::cancelStopsAndMeasureAgainGoesOn()
     QCOMPARE(fixture.puppet.begun.load(), 3);
 }
 
-void AccuracyPanelTest::whereNothingMovesTheVerdictSaysSo()
+void AccuracyPanelTest::aSceneWithoutMotionHasAVerdictThatSaysSo()
 {
     sim::Accuracy still;
     still.span = still.horizon = 200;

@@ -40,7 +40,7 @@ private slots:
     void aStepThatIsNoRungIsMeasured();
     void lookingAwayStopsTheStudy();
     void closingWaitsForTheThread();
-    void whatASceneIsRefusedForIsSaid();
+    void aRefusedSceneHasItsReason();
     void reportsComeAtMostTenTimesASecond();
     void methodsKeepTheirKindOfStep();
 };
@@ -126,7 +126,7 @@ void AccuracyStudyTest::closingWaitsForTheThread()
     QCOMPARE(puppet.stopped.load(), 1);
 }
 
-void AccuracyStudyTest::whatASceneIsRefusedForIsSaid()
+void AccuracyStudyTest::aRefusedSceneHasItsReason()
 {
     SessionFixture world;
     AccuracyStudy study(

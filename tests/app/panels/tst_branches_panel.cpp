@@ -68,7 +68,7 @@ private slots:
             QApplication::activePopupWidget()->close();
     }
 
-    void aClickBelowTheTrackTakesTheCursorNowhere()
+    void aClickBelowTheTrackDoesNotMoveTheCursor()
     {
         BranchesFixture fixture;
         fixture.fork(100, 60, 0.75);

@@ -184,7 +184,7 @@ private slots:
     }
 
     /// What was switched off runs by the rule that is left: without a spring the foot stays where it is.
-    void whatIsSwitchedOffDoesNothing()
+    void aSwitchedOffEffectDoesNothing()
     {
         EffectsFixture fixture;
         fixture.clickSwitch("body_spring");
@@ -211,7 +211,7 @@ private slots:
         QVERIFY(!fixture.session.editor().undoStack().canRedo());
     }
 
-    void anotherStepBeginsTheListAnew()
+    void anotherStepHasNothingToUndo()
     {
         EffectsFixture fixture;
         fixture.clickSwitch("damping");
@@ -237,7 +237,7 @@ private slots:
         QVERIFY(!fixture.session.editor().undoStack().canUndo());
     }
 
-    void whatIsSetToNothingIsListedWithNought()
+    void anEffectOfStrengthZeroIsListedWithZeroTime()
     {
         EffectsFixture fixture;
         QCOMPARE(fixture.line("gravity").role, EffectRole::idle);
@@ -250,7 +250,7 @@ private slots:
         QCOMPARE(fixture.line("gravity").frame, "0.0046");
     }
 
-    void whatOtherLessonsKnowIsGreyed()
+    void effectsOfOtherLessonsAreGreyed()
     {
         EffectsFixture fixture;
         const auto &lines = fixture.panel.list().lines().lines();

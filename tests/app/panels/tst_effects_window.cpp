@@ -109,7 +109,7 @@ private slots:
         QTRY_VERIFY(areTogether());
     }
 
-    void whereAccuracyIsMeasuredItIsBelowOrATab_data()
+    void withAccuracyItIsBelowOrATab_data()
     {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("seen");
@@ -117,7 +117,7 @@ private slots:
         QTest::newRow("1280 x 800") << QSize(1280, 800) << false;
     }
 
-    void whereAccuracyIsMeasuredItIsBelowOrATab()
+    void withAccuracyItIsBelowOrATab()
     {
         QFETCH(QSize, size);
         QFETCH(bool, seen);
@@ -134,7 +134,7 @@ private slots:
         QTRY_VERIFY(!fixture.panel().isVisible());
     }
 
-    void whatWasSwitchedComesBackByKey()
+    void aSwitchIsUndoneByKey()
     {
         EffectsWindowFixture fixture;
         QVERIFY(!fixture.action("undo").isEnabled());

@@ -34,7 +34,7 @@ private slots:
     }
 
     /// A factor of 1 + k h^2 a frame: see the suite of the ledger itself.
-    void whatExplicitEulerMakesIsSaidInItsLine()
+    void theEnergyThatExplicitEulerAddsHasItsLine()
     {
         EnergyFixture fixture;
         fixture.session.editor().setParameter("damp", 1.0);
@@ -71,7 +71,7 @@ private slots:
         QVERIFY(fixture.amount("hand") > 0.5 * (held - before));
     }
 
-    void whatIsUndoneIsCountedAnewFromWhereItWas()
+    void undoCountsTheEnergyAgainFromTheUndoneFrame()
     {
         EnergyFixture fixture;
         fixture.goTo(10);
@@ -151,7 +151,7 @@ private slots:
         }
     }
 
-    void whereNothingIsCountedThereAreNoNumbers()
+    void withoutALedgerNoNumbersAreExported()
     {
         EnergyFixture fixture;
         fixture.session.openStep("one", "puppet");
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(!QFile::exists(folder.filePath("a.csv")));
     }
 
-    void whatHasNoInertiaSaysWhyThereIsNoLedger()
+    void aSceneWithoutInertiaSaysWhyThereIsNoLedger()
     {
         EnergyFixture fixture;
         QVERIFY(fixture.panel.reason().isEmpty());

@@ -47,7 +47,7 @@ private slots:
         QVERIFY(std::abs(fixture.frame() - 60) <= 1); // let go
     }
 
-    void whereTheMousePointsIsTheSecondCursorWithItsNumbers()
+    void theMouseIsASecondCursorWithNumbers()
     {
         EnergyFixture fixture;
         fixture.goTo(80);

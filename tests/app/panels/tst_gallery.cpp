@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(fixture.painted, all); // and not again
     }
 
-    void aClickStartsTheStepAnewWithThoseValues()
+    void aClickRestartsTheStepWithThoseValues()
     {
         GalleryFixture fixture;
         fixture.session.editor().setParameter("damp", 0.7);

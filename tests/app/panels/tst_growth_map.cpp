@@ -54,8 +54,8 @@ private slots:
     void keysWalkOverTheMapAndGoThere();
     void aTipTellsWhatAClickDoes();
     void aSpotOfTheMapTakesTheNearestStepThatFits();
-    void whereThereIsNoMapItSaysSo_data();
-    void whereThereIsNoMapItSaysSo();
+    void aMethodWithoutAMapSaysSo_data();
+    void aMethodWithoutAMapSaysSo();
     void theWindowMayCloseWhileTheMapIsOpen();
     void theMapIsSavedAsPictureAndNumbers();
 };
@@ -216,7 +216,7 @@ void GrowthMapTest::aSpotOfTheMapTakesTheNearestStepThatFits()
     QCOMPARE(monitor.settable({1e12, 0.9, 1.0}).k, fixture.session.step().parameter("k")->max);
 }
 
-void GrowthMapTest::whereThereIsNoMapItSaysSo_data()
+void GrowthMapTest::aMethodWithoutAMapSaysSo_data()
 {
     QTest::addColumn<QString>("lesson");
     QTest::addColumn<QString>("step");
@@ -236,7 +236,7 @@ void GrowthMapTest::whereThereIsNoMapItSaysSo_data()
                               << "for this method";
 }
 
-void GrowthMapTest::whereThereIsNoMapItSaysSo()
+void GrowthMapTest::aMethodWithoutAMapSaysSo()
 {
     QFETCH(QString, lesson);
     QFETCH(QString, step);

@@ -58,11 +58,11 @@ private slots:
     void aHintIsShownWhenItIsAskedFor();
     void theNextHintIsTheFirstThatIsNotShown();
     void hintsAreRememberedUntilTheProgramEnds();
-    void whatIsDoneNeedsNoHint();
-    void whatIsBegunSaysWhatIsMissing();
-    void whatIsToStopCountsOnlyWhileTheRunStands();
+    void aDoneTaskOffersNoHint();
+    void aBegunTaskSaysWhatIsMissing();
+    void aTaskForAPausedRunCountsOnlyWhilePaused();
     void anAnswerAppearsWhenItsQuestionIsTickedOff();
-    void whatUnfoldsBelowALongTextIsInView();
+    void anAnswerBelowALongTextScrollsIntoView();
     void nothingIsEmptyBelowAnAnswer();
     void aNumberStaysOnOneLineWithItsUnit_data();
     void aNumberStaysOnOneLineWithItsUnit();
@@ -122,7 +122,7 @@ void LearningAidsTest::hintsAreRememberedUntilTheProgramEnds()
     QVERIFY(!again.boxes()[1]->showsHint());
 }
 
-void LearningAidsTest::whatIsDoneNeedsNoHint()
+void LearningAidsTest::aDoneTaskOffersNoHint()
 {
     LearnFixture fixture;
     QTest::mouseClick(lampOf(*fixture.boxes()[0]), Qt::LeftButton);
@@ -157,7 +157,7 @@ NarrationText *textOf(const TryBox &box, const char *name)
 
 }
 
-void LearningAidsTest::whatIsBegunSaysWhatIsMissing()
+void LearningAidsTest::aBegunTaskSaysWhatIsMissing()
 {
     PanelFixture<LearnPanel> fixture(lessonsWith(toFrameFive()), {280, 732});
     const TryBox &box = *fixture.panel.findChild<TryBox *>();
@@ -173,7 +173,7 @@ void LearningAidsTest::whatIsBegunSaysWhatIsMissing()
     QVERIFY(box.findChild<TryRow *>()->accessibleDescription().isEmpty());
 }
 
-void LearningAidsTest::whatIsToStopCountsOnlyWhileTheRunStands()
+void LearningAidsTest::aTaskForAPausedRunCountsOnlyWhilePaused()
 {
     lessons::Try one = toFrameFive();
     one.onlyWhilePaused = true;
@@ -208,7 +208,7 @@ void LearningAidsTest::anAnswerAppearsWhenItsQuestionIsTickedOff()
     QVERIFY(!textOf(first, "answerText")->isVisible());
 }
 
-void LearningAidsTest::whatUnfoldsBelowALongTextIsInView()
+void LearningAidsTest::anAnswerBelowALongTextScrollsIntoView()
 {
     lessons::Try asked = toFrameFive();
     asked.answer = QString("The answer is long, so that it needs many lines. ").repeated(8);

@@ -44,7 +44,7 @@ private slots:
     void aTypedNumberIsSet_data();
     void aTypedNumberIsSet();
     void aNumberOutOfRangeIsBroughtIntoItWithASentence();
-    void whatIsNoNumberChangesNothing();
+    void textThatIsNoNumberChangesNothing();
     void anExactNumberIsNeverRounded();
     void aLargeNumberIsShownInFull_data();
     void aLargeNumberIsShownInFull();
@@ -59,7 +59,7 @@ private slots:
     void aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped();
     void aDoubleClickSelectsTheWholeNumber();
     void aClickElsewhereTakesTheTypedNumber();
-    void whoCameByTabStaysInTheFieldAfterEnter();
+    void enterLeavesTheFocusInAFieldEnteredByTab();
 };
 
 /// A window with something that has the keys, a panel beside it, and a command for Space.
@@ -166,7 +166,7 @@ void ParameterFieldsTest::aNumberOutOfRangeIsBroughtIntoItWithASentence()
     QCOMPARE(said.count(), 3);
 }
 
-void ParameterFieldsTest::whatIsNoNumberChangesNothing()
+void ParameterFieldsTest::textThatIsNoNumberChangesNothing()
 {
     PanelFixture<ParameterPanel> fixture({400, 192});
     auto *box = rowOf(fixture.panel, "k")->findChild<NumberBox *>();
@@ -430,7 +430,7 @@ void ParameterFieldsTest::aClickElsewhereTakesTheTypedNumber()
     QVERIFY(box.hasFocus());
 }
 
-void ParameterFieldsTest::whoCameByTabStaysInTheFieldAfterEnter()
+void ParameterFieldsTest::enterLeavesTheFocusInAFieldEnteredByTab()
 {
     BesidePicture fixture;
     NumberBox &box = fixture.box();

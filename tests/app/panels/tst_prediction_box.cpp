@@ -143,7 +143,7 @@ private slots:
     void escapeLeavesTheCrossWhereItIs();
     void aNumberIsTypedAndEnterPlays();
     void digitsReachTheFieldOfAPredictionThatIsOpened();
-    void whatIsNoNumberIsNotCommitted();
+    void anInvalidNumberCannotBeCommitted();
     void aCurveIsChosenByItsKey();
     void aCurveIsChosenWithTheMouse();
     void theFirstQuestionIsOpenAndTheOthersAreFolded();
@@ -287,7 +287,7 @@ void PredictionBoxTest::digitsReachTheFieldOfAPredictionThatIsOpened()
     QTRY_VERIFY(field.hasFocus());
 }
 
-void PredictionBoxTest::whatIsNoNumberIsNotCommitted()
+void PredictionBoxTest::anInvalidNumberCannotBeCommitted()
 {
     PredictionWindow fixture({predictedNumber()});
     auto &field = fixture.in<QLineEdit>("predictedNumber");

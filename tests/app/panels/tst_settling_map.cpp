@@ -59,10 +59,10 @@ private slots:
     void theMapSaysWhereItRests();
     void aClickBeginsTheRunAgainWithBothNumbers();
     void keysWalkOverTheMapAndUseAPlace();
-    void whatTheLearnerDidIsPartOfTheMap();
+    void theLearnersInputIsPartOfTheMap();
     void theTwoNumbersAloneChangeOnlyTheMark();
     void coloursAreToldByTheirLightness();
-    void whereThereIsNoMapOfRestItSaysSo();
+    void aSceneWithoutAMapOfRestSaysSo();
     void theMapOfRestIsSavedAsPictureAndNumbers();
 };
 
@@ -148,7 +148,7 @@ void SettlingMapTest::keysWalkOverTheMapAndUseAPlace()
     QVERIFY(!fixture.session.playback().isPlaying()); // Enter is the map's own here
 }
 
-void SettlingMapTest::whatTheLearnerDidIsPartOfTheMap()
+void SettlingMapTest::theLearnersInputIsPartOfTheMap()
 {
     SettlingFixture fixture;
     fixture.openMap();
@@ -200,7 +200,7 @@ void SettlingMapTest::coloursAreToldByTheirLightness()
     }
 }
 
-void SettlingMapTest::whereThereIsNoMapOfRestItSaysSo()
+void SettlingMapTest::aSceneWithoutAMapOfRestSaysSo()
 {
     SettlingFixture fixture("rigid_constraint", "list");
     fixture.press();

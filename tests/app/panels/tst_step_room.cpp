@@ -71,13 +71,13 @@ class StepRoomTest : public QObject
     Q_OBJECT
 
 private slots:
-    void whatIsShownWholeStaysSoWhenTheTriesGrow();
-    void whatIsShownWholeStaysSoWhenItGrows();
+    void aBoxShownWholeStaysWholeWhenTheTriesGrow();
+    void aBoxShownWholeStaysWholeWhenItGrows();
     void aLearnerWhoScrolledIsLeftWhereSheIs();
     void theHeadingStaysWhileTheTriesScroll();
 };
 
-void StepRoomTest::whatIsShownWholeStaysSoWhenTheTriesGrow()
+void StepRoomTest::aBoxShownWholeStaysWholeWhenTheTriesGrow()
 {
     RoomFixture fixture;
     QVERIFY(!fixture.isWhole());
@@ -88,7 +88,7 @@ void StepRoomTest::whatIsShownWholeStaysSoWhenTheTriesGrow()
     QTRY_VERIFY(fixture.isWhole());
 }
 
-void StepRoomTest::whatIsShownWholeStaysSoWhenItGrows()
+void StepRoomTest::aBoxShownWholeStaysWholeWhenItGrows()
 {
     RoomFixture fixture;
     fixture.room.showWhole(fixture.box);

@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(fixture.plot().curvesPainted(), hidden);
     }
 
-    void theOldRunIsNotPaintedAnewWhereOnlyTheCursorMoves()
+    void movingTheCursorDoesNotRepaintTheOldRun()
     {
         PlotsFixture fixture;
         fixture.goTo(120);

@@ -195,7 +195,7 @@ private slots:
         }));
     }
 
-    void whatAStepDoesNotHaveIsSaidAndComesBack()
+    void aPlotThatTheStepLacksSaysSoAndComesBack()
     {
         PlotsFixture fixture;
         fixture.goTo(40);

@@ -58,7 +58,7 @@ private slots:
         QCOMPARE(plan.points.size(), std::size_t(1000));
     }
 
-    void whatLosesAnEndGoes()
+    void linksThatLoseAnEndAreRemoved()
     {
         sim::Blueprint plan = triangle();
         addSpring(plan, 0, 1);
@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(plan.points.size(), std::size_t(2));
     }
 
-    void whatWasAtItsLengthStaysAtItsLength()
+    void linksAtTheirRestLengthKeepItWhenAnEndMoves()
     {
         sim::Blueprint plan = triangle();
         addSpring(plan, 0, 1);

@@ -195,7 +195,7 @@ private slots:
         QCOMPARE(world.name(1), QString(bob));
     }
 
-    void conditionsNameTheBodyAnew_data()
+    void conditionsFollowARenamedBody_data()
     {
         QTest::addColumn<QString>("before");
         QTest::addColumn<QString>("after");
@@ -214,7 +214,7 @@ private slots:
         QTest::newRow("no condition") << "p1.y = \"3"
                                       << "p1.y = \"3";
     }
-    void conditionsNameTheBodyAnew()
+    void conditionsFollowARenamedBody()
     {
         QFETCH(QString, before);
         QFETCH(QString, after);

@@ -88,7 +88,7 @@ private slots:
         QCOMPARE(experimentText(back, experiment_support::library()), text);
     }
 
-    void whatIsLeftOutIsAsUsual()
+    void missingFieldsHaveTheirDefaults()
     {
         const sim::Blueprint plan = readPlan(withPair(
             "\"springs\": [{ \"a\": \"b\", \"b\": \"a\", \"k\": 1, \"length\": 2 }], \"gaits\": [{}]"));
@@ -124,7 +124,7 @@ private slots:
                  QString("x.json: line 5: \"bodies\" has 1001 entries; the most is 1000."));
     }
 
-    void whatIsWrongIsRefused_data()
+    void wrongPlansAreRefused_data()
     {
         user_errors::addColumns();
         const auto row = [](const char *name, const QByteArray &text, const char *sentence) {
@@ -193,7 +193,7 @@ private slots:
             "that one "
             "by \"parameters\", \"bodies\" and \"effects\".");
     }
-    void whatIsWrongIsRefused() { user_errors::checkRow(); }
+    void wrongPlansAreRefused() { user_errors::checkRow(); }
 };
 
 SUITE(tst_built_scene, BuiltScene)

@@ -126,7 +126,7 @@ private slots:
         QVERIFY(world.plan() == start);
     }
 
-    void whereThereIsNoRoomForALinkThatIsSaidAndNothingChanges()
+    void aLinkTooManyIsRefusedWithASentence()
     {
         SandboxWorld world;
         sim::Blueprint full = world.plan();
@@ -147,13 +147,13 @@ private slots:
         QVERIFY(world.plan() == full);
     }
 
-    void whereNotAllOfACopyHasRoomNothingIsCopiedAndThatIsSaid_data()
+    void aCopyThatDoesNotFitIsRefusedAsAWhole_data()
     {
         QTest::addColumn<QString>("full");
         for (const char *full : {"points", "springs", "sticks", "far away"})
             QTest::newRow(full) << QString(full);
     }
-    void whereNotAllOfACopyHasRoomNothingIsCopiedAndThatIsSaid()
+    void aCopyThatDoesNotFitIsRefusedAsAWhole()
     {
         QFETCH(QString, full);
         SandboxWorld world;
@@ -219,7 +219,7 @@ private slots:
         QCOMPARE(world.plan().points.size(), before.points.size() + 1);
     }
 
-    void whatCannotMoveIsNotLeftAlone()
+    void theLastBodyThatCanMoveCannotBeDeleted()
     {
         SandboxWorld world;
         const sim::Blueprint before = world.plan();
@@ -282,7 +282,7 @@ private slots:
         QVERIFY(scene.sentence.startsWith("This is your own copy"));
     }
 
-    void whatIsNotTakenAlongIsNamed()
+    void effectsThatCannotBeCopiedAreNamed()
     {
         QCOMPARE(taken("rigid_constraint", "ragdoll").sentence,
                  QString("This is your own copy of the scene. It could not be copied completely. Missing: "
@@ -326,7 +326,7 @@ private slots:
         QVERIFY(takenScenes > 30);
     }
 
-    void whatHasFlownApartIsNotTaken()
+    void aSceneThatHasFlownApartIsNotCopied()
     {
         Session session(library());
         session.openStep("two_body", "mutual");

@@ -141,13 +141,13 @@ private slots:
         }
     }
 
-    void whatNobodyDrivesGainsNoEnergy_data()
+    void scenesWithoutADriverGainNoEnergy_data()
     {
         QTest::addColumn<QString>("name");
         for (const char *name : {"chain", "bridge", "jelly", "cradle", "ragdoll", "trampoline"})
             QTest::newRow(name) << QString::fromLatin1(name);
     }
-    void whatNobodyDrivesGainsNoEnergy()
+    void scenesWithoutADriverGainNoEnergy()
     {
         QFETCH(QString, name);
         Run run(name);

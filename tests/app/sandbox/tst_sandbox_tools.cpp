@@ -86,7 +86,7 @@ private slots:
         QVERIFY(isNear(fixture.plan().points[std::size_t(last.b)].x, {160, 200}, 1.5));
     }
 
-    void aDragThatIsGivenUpMakesNothing()
+    void aCancelledDragCreatesNothing()
     {
         SandboxFixture fixture;
         fixture.build();

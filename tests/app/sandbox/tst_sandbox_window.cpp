@@ -157,7 +157,7 @@ private slots:
             fixture.editor().use({x, 100}, -1);
         QVERIFY(!fixture.editor().chosen().springs.empty());
         QCoreApplication::processEvents();
-        // The plot of energy is drawn anew before the bench hears of the other scene.
+        // The plot of energy is drawn again before the bench hears of the other scene.
         QTest::keyClick(&fixture.window, Qt::Key_R, Qt::ControlModifier);
         QVERIFY(fixture.editor().chosen().isEmpty());
         QCOMPARE(fixture.plan().springs.size(), springs);
@@ -175,7 +175,7 @@ private slots:
         QCOMPARE(fixture.session.step().id, QString("any_number"));
     }
 
-    void whatIsChosenIsSetInItsFields()
+    void fieldsSetThePropertiesOfTheSelection()
     {
         SandboxFixture fixture;
         fixture.build();
@@ -199,7 +199,7 @@ private slots:
             QVERIFY(!row->toolTip().isEmpty());
     }
 
-    void whatDiffersShowsNoNumberUntilOneIsTyped()
+    void differingPropertiesShowNoNumberUntilOneIsTyped()
     {
         SandboxFixture fixture;
         fixture.build();

@@ -95,16 +95,16 @@ class CompanionTest : public QObject
 private slots:
     void itGoesWithTheCursor();
     void itTakesOverWhatIsChanged();
-    void itComesToAFarFrame();
-    void whereItsMethodCannotThereIsNone();
+    void itReachesAFarFrame();
+    void thereIsNoCompanionIfItsMethodCannotComputeTheScene();
     void itIsDrawnWhereItsOffsetSays();
     void eachFigureHasItsCaption();
     void aCaptionIsNoWiderThanItsFigure();
     void aStepWithoutOneHasNone();
-    void anotherChoiceOpensTheRunAnew();
+    void anotherChoiceRestartsTheRun();
     void aRefusedChoiceLeavesTheRunAsItWas();
-    void whatOpensARunIsNotWritten();
-    void whatTheFileGivesCountsInPlaceOfTheOpening();
+    void theOpeningOfAStepIsNotWritten();
+    void theInputOfAFileReplacesTheOpening();
     void theNoteStandsOverTheScene();
 };
 
@@ -152,7 +152,7 @@ void CompanionTest::itTakesOverWhatIsChanged()
     QVERIFY(isBeside(session));
 }
 
-void CompanionTest::itComesToAFarFrame()
+void CompanionTest::itReachesAFarFrame()
 {
     SceneFixture fixture({footStep()});
     fixture.session.editor().setMethod("semi_implicit_euler");
@@ -161,7 +161,7 @@ void CompanionTest::itComesToAFarFrame()
     QVERIFY(isBeside(fixture.session));
 }
 
-void CompanionTest::whereItsMethodCannotThereIsNone()
+void CompanionTest::thereIsNoCompanionIfItsMethodCannotComputeTheScene()
 {
     lessons::Step step = footStep();
     step.scene = [](const sim::Values &values) {
@@ -224,7 +224,7 @@ void CompanionTest::aStepWithoutOneHasNone()
     QVERIFY(fixture.view.shown().name.isEmpty());
 }
 
-void CompanionTest::anotherChoiceOpensTheRunAnew()
+void CompanionTest::anotherChoiceRestartsTheRun()
 {
     const LessonLibrary library = libraryOf(openedStep());
     Session session(library);
@@ -263,7 +263,7 @@ void CompanionTest::aRefusedChoiceLeavesTheRunAsItWas()
     QCOMPARE(session.editor().parameter("which"), 0.0);
 }
 
-void CompanionTest::whatOpensARunIsNotWritten()
+void CompanionTest::theOpeningOfAStepIsNotWritten()
 {
     const LessonLibrary library = libraryOf(openedStep());
     Session session(library);
@@ -275,7 +275,7 @@ void CompanionTest::whatOpensARunIsNotWritten()
     QVERIFY(back.script.step == session.timeline().script().step);
 }
 
-void CompanionTest::whatTheFileGivesCountsInPlaceOfTheOpening()
+void CompanionTest::theInputOfAFileReplacesTheOpening()
 {
     const LessonLibrary library = libraryOf(openedStep());
     Session session(library);

@@ -80,7 +80,7 @@ private slots:
     void legsLeadFromBodiesToFeet();
     void onlyTheSelectedBodyHasArrows();
     void aCrowdLeavesNoTrail();
-    void goingBackComesToTheVeryState();
+    void goingBackRestoresTheExactState();
 };
 
 void SceneCrowdTest::aSceneThatGrowsIsShownWhole()
@@ -161,7 +161,7 @@ void SceneCrowdTest::aCrowdLeavesNoTrail()
 }
 
 /// Back in slices, from a moment that is kept: as many frames apart as the history's memory wants it.
-void SceneCrowdTest::goingBackComesToTheVeryState()
+void SceneCrowdTest::goingBackRestoresTheExactState()
 {
     Fixture fixture(20'000);
     fixture.goTo(90);

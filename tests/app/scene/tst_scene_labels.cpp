@@ -43,8 +43,8 @@ private slots:
     void aPredictionCoversNothing();
     void theLineToAPredictionLeavesTheNameReadable();
     void aPullThatIsNotSeenHasNoName();
-    void whatABoxCoversOfALine_data();
-    void whatABoxCoversOfALine();
+    void aBoxCoversAPartOfALine_data();
+    void aBoxCoversAPartOfALine();
     void namesAndNumbersAreReadable_data();
     void namesAndNumbersAreReadable();
     void arrowsHaveAReadableScale_data();
@@ -320,7 +320,7 @@ void SceneLabelsTest::aPullThatIsNotSeenHasNoName()
     }
 }
 
-void SceneLabelsTest::whatABoxCoversOfALine_data()
+void SceneLabelsTest::aBoxCoversAPartOfALine_data()
 {
     QTest::addColumn<QLineF>("line");
     QTest::addColumn<double>("covered");
@@ -332,7 +332,7 @@ void SceneLabelsTest::whatABoxCoversOfALine_data()
     QTest::newRow("past a corner") << QLineF(-2, 1, 1, -2) << 0.0;
 }
 
-void SceneLabelsTest::whatABoxCoversOfALine()
+void SceneLabelsTest::aBoxCoversAPartOfALine()
 {
     QFETCH(QLineF, line);
     QFETCH(double, covered);

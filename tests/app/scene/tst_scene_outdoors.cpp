@@ -89,19 +89,19 @@ private slots:
     void aNameHidesNoPartOfADistance();
     void thePictureFollowsWhatWalks();
     void thePictureStaysWhileItsWalkerIsInTheMiddle();
-    void whoMovesThePictureIsNotPulledBack();
+    void thePannedViewStaysWhereItIs();
     void aPictureThatWasMovedComesBackWhenItsLastBodyHasLeft();
     void aTreeEndsWhereItsBranchesDo();
     void aFarTreeCoversAsMuchAsANearOne_data();
     void aFarTreeCoversAsMuchAsANearOne();
-    void whatIsTooSmallIsMerged_data();
-    void whatIsTooSmallIsMerged();
+    void branchesThatAreTooSmallAreMerged_data();
+    void branchesThatAreTooSmallAreMerged();
     void anOpenSkyHasNoGrid();
     void aWholeTreeShowsAtFirst_data();
     void aWholeTreeShowsAtFirst();
     void aGhostBelowTheGroundShowsThrough();
     void onionSkinsAreWhereThePointsWere();
-    void whatAStepShowsIsTheLearnersChoiceAfterAll();
+    void theLearnersChoiceOfDrawingsWinsOverTheSteps();
 };
 
 void SceneOutdoorsTest::theGroundLiesWhereItSays()
@@ -225,7 +225,7 @@ void SceneOutdoorsTest::thePictureStaysWhileItsWalkerIsInTheMiddle()
     QCOMPARE(fixture.view.viewportTransform(), before);
 }
 
-void SceneOutdoorsTest::whoMovesThePictureIsNotPulledBack()
+void SceneOutdoorsTest::thePannedViewStaysWhereItIs()
 {
     SceneFixture fixture({walker(17.0)});
     fixture.press({40, 60}, Qt::MiddleButton);
@@ -330,7 +330,7 @@ void SceneOutdoorsTest::aFarTreeCoversAsMuchAsANearOne()
     QVERIFY(std::abs(far / near - 1.0) < 0.15);
 }
 
-void SceneOutdoorsTest::whatIsTooSmallIsMerged_data()
+void SceneOutdoorsTest::branchesThatAreTooSmallAreMerged_data()
 {
     QTest::addColumn<double>("length");
     QTest::addColumn<double>("width");
@@ -343,7 +343,7 @@ void SceneOutdoorsTest::whatIsTooSmallIsMerged_data()
     QTest::newRow("nothing at all") << 0.0 << 0.0 << 64 * 64;
 }
 
-void SceneOutdoorsTest::whatIsTooSmallIsMerged()
+void SceneOutdoorsTest::branchesThatAreTooSmallAreMerged()
 {
     QFETCH(double, length);
     QFETCH(double, width);
@@ -370,7 +370,7 @@ void SceneOutdoorsTest::anOpenSkyHasNoGrid()
     QVERIFY(fixture.image() == before);
     fixture.theme.setScheme(Scheme::dark);
     QVERIFY(qGray(fixture.image().pixel(2, 2)) < qGray(before.pixel(2, 2)));
-    // It is painted anew for another size.
+    // It is painted again for another size.
     fixture.view.resize(900, 470);
     QVERIFY(fixture.image().pixelColor(880, 100) != QColor(Qt::black));
 }
@@ -460,7 +460,7 @@ void SceneOutdoorsTest::onionSkinsAreWhereThePointsWere()
     QCOMPARE(with.pixelColor(before), fixture.theme.tokens().scene); // a seventh is not shown
 }
 
-void SceneOutdoorsTest::whatAStepShowsIsTheLearnersChoiceAfterAll()
+void SceneOutdoorsTest::theLearnersChoiceOfDrawingsWinsOverTheSteps()
 {
     const auto showing = [](const char *id, bool all) {
         lessons::Step step = walker(1.0, id);

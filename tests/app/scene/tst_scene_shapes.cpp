@@ -74,7 +74,7 @@ private slots:
     void aGhostsLegBendsToo();
     void aStickHasTheColourOfItsError_data();
     void aStickHasTheColourOfItsError();
-    void whatIsPulledLongGetsThinner();
+    void aStretchedStickGetsThinner();
     void aSpringKeepsItsTurnsAndShowsItsStretch();
     void aSpringToAPlaceEndsThere();
     void aGhostsSpringToAPlaceIsDrawn();
@@ -172,7 +172,7 @@ void SceneShapesTest::aStickHasTheColourOfItsError()
     }
 }
 
-void SceneShapesTest::whatIsPulledLongGetsThinner()
+void SceneShapesTest::aStretchedStickGetsThinner()
 {
     const auto width = [](double error) {
         const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});

@@ -44,8 +44,8 @@ private slots:
     void aLineCoversItsArea_data();
     void aLineCoversItsArea();
     void aShortLineIsNotLonger();
-    void whatIsCoveredIsNotCoveredTwice();
-    void whatIsOutsideLeavesNothing();
+    void linesOnTopOfEachOtherCoverEachPixelOnce();
+    void shapesOutsideLeaveNoInk();
     void halfOfADiscAtTheEdgeIsThere();
     void aFaintColourIsFaint();
     void itStartsEmptyEachTime();
@@ -109,7 +109,7 @@ void StencilTest::aShortLineIsNotLonger()
 }
 
 /// Two that let half through let a quarter through; what lets nothing through cannot do more.
-void StencilTest::whatIsCoveredIsNotCoveredTwice()
+void StencilTest::linesOnTopOfEachOtherCoverEachPixelOnce()
 {
     const auto times = [](int count, double width) {
         return inked([&](Stencil &s) {
@@ -123,7 +123,7 @@ void StencilTest::whatIsCoveredIsNotCoveredTwice()
     QVERIFY(std::abs(times(9, 1.0) / side - 1.0) < 0.01);
 }
 
-void StencilTest::whatIsOutsideLeavesNothing()
+void StencilTest::shapesOutsideLeaveNoInk()
 {
     QCOMPARE(inked([](Stencil &s) {
                  s.addDisc({-40.0, 100.0}, 20.0);

@@ -188,7 +188,7 @@ private slots:
         QVERIFY(fixture.onScreen(empty) != at);
     }
 
-    void whatNoEffectReadsIsNoInput()
+    void inputThatNoEffectReadsIsNotRecorded()
     {
         ToolFixture fixture(stepThatKnows(
             "torture", {Interaction::drag, Interaction::pointer, Interaction::target, Interaction::keys}, -1,
@@ -265,7 +265,7 @@ private slots:
         QVERIFY(override.isAccepted());
     }
 
-    void whatIsDownComesUpWhenTheKeyboardLeaves()
+    void pressedKeysAreReleasedWhenTheFocusLeaves()
     {
         ToolFixture fixture(stepThatKnows("steered", {Interaction::drag, Interaction::keys}));
         fixture.session.playback().play();

@@ -40,7 +40,7 @@ class TestRest : public QObject
     Q_OBJECT
 
 private slots:
-    void whatRestsWaits()
+    void aRestingRunWaits()
     {
         Settled fixture;
         fixture.session.playback().play();
@@ -52,7 +52,7 @@ private slots:
         QVERIFY(fixture.isAwakeRun());
     }
 
-    void whatStillMovesPlaysOn()
+    void aMovingRunPlaysOn()
     {
         Settled fixture(0);
         fixture.session.playback().play();

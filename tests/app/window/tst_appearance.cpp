@@ -27,7 +27,7 @@ private slots:
     void textHasItsContrast_data();
     void textHasItsContrast();
     void theSizeChosenHoldsFromTheNextStartOn();
-    void whatThePictureShowsIsRemembered();
+    void theChoiceOfDrawingsIsRemembered();
     void lessMotionStopsWhatOnlyDecorates();
 };
 
@@ -116,7 +116,7 @@ void AppearanceTest::theSizeChosenHoldsFromTheNextStartOn()
     QCOMPARE(storedSize(), 100);
 }
 
-void AppearanceTest::whatThePictureShowsIsRemembered()
+void AppearanceTest::theChoiceOfDrawingsIsRemembered()
 {
     const auto grid = [](const LargeWindow &fixture) {
         return fixture.window.findChild<SceneView *>()->extras().grid;

@@ -216,7 +216,7 @@ private slots:
         QVERIFY(!more.toolTip().isEmpty() && more.accessibleName() == more.toolTip());
     }
 
-    void whatComesBackIsAsBroadAndHighAsBefore()
+    void docksComeBackInTheirFormerSize()
     {
         FitterFixture fixture({1280, 800});
         const QSize before = fixture.dock("parameters").size();
@@ -302,7 +302,7 @@ private slots:
         QVERIFY(fixture.dock("parameters").height() != parameters);
     }
 
-    void whatIsAskedForInASmallWindowMakesOthersStepAside()
+    void aDockOpenedInASmallWindowHidesOthers()
     {
         FitterFixture fixture({1280, 800});
         fixture.force({760, 500});
@@ -346,7 +346,7 @@ private slots:
         QCOMPARE(overlaps(fixture.window), QString());
     }
 
-    void whatSteppedAsideIsNotForgotten()
+    void hiddenDocksComeBackInALargeWindow()
     {
         QStringList before;
         {

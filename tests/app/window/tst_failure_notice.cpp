@@ -201,7 +201,7 @@ private slots:
         QTRY_COMPARE(hint.text(), QString("Correct this line, and the run goes on."));
     }
 
-    void whereNothingHelpsItSaysSo()
+    void aFailureWithoutARemedySaysSo()
     {
         FailureFixture fixture;
         sim::Script script = fixture.run().script(); // a hand so fast that its velocity is not finite

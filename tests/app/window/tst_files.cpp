@@ -79,8 +79,8 @@ private slots:
     void theLatestEightFilesAreInTheMenu();
     void aFileThatIsGoneIsSaidAndTakenOut();
     void aRunIsCopiedAndPastedWithAllItsBits();
-    void whatIsPastedAndNoExperimentIsRefusedWithASentence_data();
-    void whatIsPastedAndNoExperimentIsRefusedWithASentence();
+    void pastedTextThatIsNoExperimentIsRefusedWithASentence_data();
+    void pastedTextThatIsNoExperimentIsRefusedWithASentence();
     void closingAsksForAFileThatIsNotSaved();
     void closingAsksNothingWithoutAFile();
 
@@ -320,7 +320,7 @@ void FilesTest::aRunIsCopiedAndPastedWithAllItsBits()
     QVERIFY(!fixture.window.windowTitle().contains(".json"));
 }
 
-void FilesTest::whatIsPastedAndNoExperimentIsRefusedWithASentence_data()
+void FilesTest::pastedTextThatIsNoExperimentIsRefusedWithASentence_data()
 {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("names");
@@ -342,7 +342,7 @@ void FilesTest::whatIsPastedAndNoExperimentIsRefusedWithASentence_data()
                             << "32 MiB";
 }
 
-void FilesTest::whatIsPastedAndNoExperimentIsRefusedWithASentence()
+void FilesTest::pastedTextThatIsNoExperimentIsRefusedWithASentence()
 {
     QFETCH(QString, text);
     QFETCH(QString, names);

@@ -61,7 +61,7 @@ class LayoutsTest : public QObject
 private slots:
     void init() { QSettings().clear(); }
 
-    void whatIsMovedInAPresetStaysThereAndOnlyThere()
+    void movedDocksStayMovedInTheirPresetOnly()
     {
         LayoutFixture fixture;
         fixture.key(Qt::Key_F6);

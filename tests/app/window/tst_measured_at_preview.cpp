@@ -163,7 +163,7 @@ private slots:
         QCOMPARE(plot.grab().toImage(), before);
     }
 
-    void whatIsNotComputedYetIsNoMomentToLookAt()
+    void framesNotComputedYetCannotBePreviewed()
     {
         Measuring fixture;
         fixture.hover(fixture.panel.run(), fixture.onRun(90.0));

@@ -57,14 +57,14 @@ class TestOneCursor : public QObject
     Q_OBJECT
 
 private slots:
-    void whereTheMouseIsInAPlotOrOnTheTimelineIsShownEverywhere_data()
+    void theFrameUnderTheMouseIsShownEverywhere_data()
     {
         QTest::addColumn<int>("where");
         QTest::newRow("a plot") << 0;
         QTest::newRow("the plot of energy") << 1;
         QTest::newRow("the timeline") << 2;
     }
-    void whereTheMouseIsInAPlotOrOnTheTimelineIsShownEverywhere()
+    void theFrameUnderTheMouseIsShownEverywhere()
     {
         QFETCH(int, where);
         CursorFixture fixture;
@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(fixture.view.picture(), picture);
     }
 
-    void whereTheMouseIsUnderTheFeetIsShownToo()
+    void theFrameUnderTheMouseInTheFootfallStripIsShownToo()
     {
         CursorFixture fixture("walking_gait", "ground");
         auto &feet = *fixture.window.findChild<FootfallStrip *>();
@@ -138,7 +138,7 @@ private slots:
         QTRY_COMPARE(shown(), 8);
     }
 
-    void whoCannotSeeItHearsWhatIsPreviewed()
+    void screenReadersHearThePreviewedFrame()
     {
         CursorFixture fixture;
         fixture.hover(fixture.plot(), fixture.onPlot(20.0));

@@ -103,12 +103,12 @@ private slots:
     void aProjectOfTheListingKeepsItsPage();
     void aProjectOfTheListingReplacesWhatWasWrittenBefore();
     void aSolutionIsTickedByKeys();
-    void whatIsMissingIsSaid();
+    void theMissingDemandIsNamed();
     void theWholeVerdictIsInView();
     void judgingCanBeCancelled();
     void thePageCountsTheLevels();
     void aHintIsShownAndHidden();
-    void whatWasBuiltWaits();
+    void aBuiltSceneWaitsInTheProject();
     void puttingAwayKeepsTheScene();
     void theCurrentProjectIsKnownAtTheNextStart();
     void germanTextsFit();
@@ -253,7 +253,7 @@ void ProjectsTest::aSolutionIsTickedByKeys()
     QCOMPARE(window.desk.passedLevels("single_spring"), 1);
 }
 
-void ProjectsTest::whatIsMissingIsSaid()
+void ProjectsTest::theMissingDemandIsNamed()
 {
     ProjectFixture window("single_spring");
     window.click(window.project(), "startProject");
@@ -330,7 +330,7 @@ void ProjectsTest::aHintIsShownAndHidden()
     QVERIFY(hint->isHidden());
 }
 
-void ProjectsTest::whatWasBuiltWaits()
+void ProjectsTest::aBuiltSceneWaitsInTheProject()
 {
     ProjectFixture window("multi_foot");
     window.click(window.project(), "startProject");

@@ -95,18 +95,18 @@ private slots:
     void nothingIsWrittenAndNothingRunsWhileNothingChanges();
     void aChangeIsKeptAndTheSameIsNotWrittenAgain();
     void everyStepThatWasChangedIsKept();
-    void whatIsSavedOrUndoneIsKeptNoLonger();
-    void whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas();
-    void onlyTheLastProgramIsSaidToHaveCrashed();
+    void savingOrUndoingDeletesTheAutosavedScene();
+    void theSceneOfAKilledProgramIsOfferedAndGoesOnWhereItWas();
+    void onlyTheLastProgramIsReportedAsCrashed();
     void aRunThatIsNamedIsKeptAndComesBack();
-    void whatIsForgottenIsNotOfferedAgain();
+    void aDeletedRecoveryIsNotOfferedAgain();
     void aClosedNoticeForgetsNothing();
-    void whatWasLeftByClosingIsOfferedAsSuch();
+    void anUnsavedSceneIsOfferedAfterANormalExit();
     void aProgramThatRunsKeepsItsScenesToItself();
     void severalAreOneListWithWhatWhenAndHowLong();
     void anyOfTheListIsRecoveredOrDeleted();
     void aSceneKeepsTheTimeOfItsLastChangeThroughRestarts();
-    void whatWasBuiltIsOfferedWhereBuildingBegins();
+    void aBuiltSceneIsOfferedInTheSandbox();
     void aDamagedSceneIsRefusedWithASentence();
     void aFolderThatCannotBeWrittenIsSaidOnce();
 
@@ -165,7 +165,7 @@ void RecoveryTest::everyStepThatWasChangedIsKept()
     QVERIFY(files.join(' ').contains("single_spring.moving_body.json"));
 }
 
-void RecoveryTest::whatIsSavedOrUndoneIsKeptNoLonger()
+void RecoveryTest::savingOrUndoingDeletesTheAutosavedScene()
 {
     const QTemporaryDir folder;
     WindowFixture fixture;
@@ -181,7 +181,7 @@ void RecoveryTest::whatIsSavedOrUndoneIsKeptNoLonger()
     QTRY_COMPARE(scenesIn(folder.path()).size(), 0);
 }
 
-void RecoveryTest::whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas()
+void RecoveryTest::theSceneOfAKilledProgramIsOfferedAndGoesOnWhereItWas()
 {
     const QTemporaryDir folder;
     WindowFixture fixture({"multi_foot", "two_feet"});
@@ -207,7 +207,7 @@ void RecoveryTest::whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas()
     QVERIFY(!QDir(folder.path() + "/of-another-program").exists());
 }
 
-void RecoveryTest::onlyTheLastProgramIsSaidToHaveCrashed()
+void RecoveryTest::onlyTheLastProgramIsReportedAsCrashed()
 {
     const QTemporaryDir folder;
     {
@@ -249,7 +249,7 @@ void RecoveryTest::aRunThatIsNamedIsKeptAndComesBack()
     QVERIFY(next.isMarked());
 }
 
-void RecoveryTest::whatIsForgottenIsNotOfferedAgain()
+void RecoveryTest::aDeletedRecoveryIsNotOfferedAgain()
 {
     const QTemporaryDir folder;
     WindowFixture fixture;
@@ -278,7 +278,7 @@ void RecoveryTest::aClosedNoticeForgetsNothing()
     QCOMPARE(scenesIn(folder.path()).size(), 1);
 }
 
-void RecoveryTest::whatWasLeftByClosingIsOfferedAsSuch()
+void RecoveryTest::anUnsavedSceneIsOfferedAfterANormalExit()
 {
     const QTemporaryDir folder;
     {
@@ -379,7 +379,7 @@ void RecoveryTest::aSceneKeepsTheTimeOfItsLastChangeThroughRestarts()
     QTRY_VERIFY(QFileInfo(scenesIn(folder.path()).front()).lastModified() > when);
 }
 
-void RecoveryTest::whatWasBuiltIsOfferedWhereBuildingBegins()
+void RecoveryTest::aBuiltSceneIsOfferedInTheSandbox()
 {
     const QTemporaryDir folder;
     WindowFixture fixture;

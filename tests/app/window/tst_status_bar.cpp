@@ -34,7 +34,7 @@ private slots:
     void aSentenceIsThereWhileTheRunPlaysOn();
     void aSentenceGivesWayWhenTheLearnerGoesOn();
     void aSentenceOfThePauseGivesWayWhenTheRunPlays();
-    void whoDragsInThePastReadsHowToGoOn();
+    void draggingInThePastTellsHowToGoOn();
 };
 
 void StatusBarTest::theStatusBarTellsTheWorkOfAFrame_data()
@@ -155,7 +155,7 @@ void StatusBarTest::aSentenceOfThePauseGivesWayWhenTheRunPlays()
     QVERIFY2(shownIn(fixture).startsWith("Playing."), qPrintable(shownIn(fixture)));
 }
 
-void StatusBarTest::whoDragsInThePastReadsHowToGoOn()
+void StatusBarTest::draggingInThePastTellsHowToGoOn()
 {
     WindowFixture fixture;
     Playback &playback = fixture.session.playback();

@@ -130,7 +130,7 @@ private slots:
     void aZipIsOpenedAndListedAndRemembered();
     void aLessonThatIsGoneIsForgottenWithASentence();
     void aMistakeIsToldAndTheLastGoodStateStays();
-    void whatIsSavedIsShownAtTheSameStepAndFrame();
+    void aSavedLessonReloadsAtTheSameStepAndFrame();
     void aNewLessonBeginsWithTheSceneOfTheSandbox();
     void aNewLessonBeginsWithASceneOfYours();
     void aParameterIsARowThatFollowsItsFile();
@@ -213,7 +213,7 @@ void YourLessonsTest::aMistakeIsToldAndTheLastGoodStateStays()
     QCOMPARE(fixture.session.step().title, title);
 }
 
-void YourLessonsTest::whatIsSavedIsShownAtTheSameStepAndFrame()
+void YourLessonsTest::aSavedLessonReloadsAtTheSameStepAndFrame()
 {
     const LessonCopy copy;
     YoursFixture fixture;
