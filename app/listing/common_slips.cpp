@@ -16,7 +16,7 @@ namespace {
 using Slip = std::optional<CompileError>;
 
 const char *const loopForm = "A loop is written 'for (int i = 0; i < 5; i++)'.";
-const char *const vectorForm = "A place or a velocity is written 'Vec2(x, y)'.";
+const char *const vectorForm = "Write a position or a velocity as 'Vec2(x, y)'.";
 const char *const memberForm = "Write '.' between a body and its member, for example 'body.position'.";
 
 /// Returns the mistake that the ';' at token `i` leaves a head such as `if (...)` without its lines.
@@ -195,11 +195,11 @@ Slip conditionSlip(const Tokens &tokens, std::size_t i)
 {
     const std::string word(tokens[i].text);
     if (!tokens.is(i + 1, "("))
-        return errorAt(tokens[i], "A condition stands in brackets: " + quoted(word + " (...)") + ".");
+        return errorAt(tokens[i], "A condition needs brackets: " + quoted(word + " (...)") + ".");
     const std::size_t behind = tokens.closing(i + 1) + 1;
     if (tokens.is(behind, ":"))
         return errorAt(tokens[behind],
-                       "No ':' stands here. The lines that belong to a condition stand between '{' and '}'.");
+                       "Leave out the ':'. The lines that belong to a condition go between '{' and '}'.");
     if (tokens.is(behind, "then"))
         return errorAt(tokens[behind], "'then' is not part of this language. Leave it out.");
     if (word == "if" && tokens.is(behind, ";"))
@@ -292,7 +292,7 @@ Slip slipOutside(const Tokens &tokens, std::size_t i)
         const bool isCutOff = tokens.is(behind, ";") && tokens.is(behind + 1, "{");
         return isCutOff ? emptyBody(tokens, behind, tokens[i + 1].text) : Slip();
     }
-    return errorAt(tokens[i], std::string("This stands outside of a function. ") +
+    return errorAt(tokens[i], std::string("This is outside of any function. ") +
                                   (i == 0 ? "Put it between the braces of a function."
                                           : "Look for a '}' too many above."));
 }
@@ -365,7 +365,7 @@ Slip slipAt(const Tokens &tokens, std::size_t i)
                                                  "angle", "spin", "x", "y", "count"}))
         return errorAt(tokens[i], quoted(tokens[i].text) + " is not a function. Write it without '()'.");
     if (isMemberCall)
-        return errorAt(tokens[i], "A function stands alone here: " +
+        return errorAt(tokens[i], "A function is called without an object here: " +
                                       quoted(std::string(tokens[i].text) + "(...)") + ".");
     return keywordSlip(tokens, i);
 }

@@ -155,7 +155,7 @@ std::string noName(const Gaps &gaps, const MarkedPlace &place)
     const std::string &word = gaps[0];
     const std::string sentence = "There is no " + quoted(word) + ".";
     if (has({"print", "println", "printf", "cout", "console", "log"}, word))
-        return sentence + " A listing prints nothing: its values stand beside its lines.";
+        return sentence + " A listing cannot print: its values are shown beside its lines.";
     if (const std::string hint = hintForMember(word, place); !hint.empty())
         return sentence + hint;
     if (const std::string hint = hintFor(word, allNames(place)); !hint.empty())
@@ -206,7 +206,7 @@ std::string wrongType(const Gaps &gaps, const MarkedPlace &)
         return arrayAsOne;
     const auto isNumber = [](const std::string &type) { return type == "double" || type == "int"; };
     return withArticle("A", from) + " cannot be used as " + withArticle("a", to) + "." +
-           (to == "Vec2" && isNumber(from)   ? " A place or a velocity is written 'Vec2(x, y)'."
+           (to == "Vec2" && isNumber(from)   ? " Write a position or a velocity as 'Vec2(x, y)'."
             : to == "Vec2" && from == "Body" ? usesOfBodies
             : from == "Vec2" && isNumber(to) ? " Use its x, its y or its length."
             : to == "bool" && isNumber(from) ? " Write 'true' or 'false'."
@@ -364,8 +364,8 @@ constexpr Rule rules[] = {
     {"Expression '*' is a data type*", typeAsValue},
     {"A function with the same name and parameters already exists*", functionTwice},
     {"Divide by zero*", nullptr, "This divides by 0."},
-    {"Invalid 'break'*", nullptr, "'break' stands only in a loop."},
-    {"Invalid 'continue'*", nullptr, "'continue' stands only in a loop."},
+    {"Invalid 'break'*", nullptr, "'break' works only in a loop."},
+    {"Invalid 'continue'*", nullptr, "'continue' works only in a loop."},
     {"Expression doesn't evaluate to a function*", nullptr,
      "This is not a function. To multiply, write '*'."},
     {"Type '*' doesn't support the indexing operator*", nullptr, "Only an array has an index in '[...]'."},

@@ -209,8 +209,7 @@ bool Interpreter::checkFinite()
 {
     const std::string name = error() ? std::string() : firstNonFinite();
     if (!name.empty())
-        setError(
-            {RunErrorKind::notFinite, m_before.line, name + " is not a finite number.", m_before.variables});
+        setError({RunErrorKind::notFinite, m_before.line, notFiniteSentence(name), m_before.variables});
     return name.empty();
 }
 

@@ -121,7 +121,7 @@ Violation signViolation(const Tokens &tokens)
             return errorAt(tokens[i],
                            quoted(std::string(sign) + std::string(sign)) + " is not part of this language." +
                                (i > 0 && tokens.is(i - 1, "cout")
-                                    ? " A listing prints nothing: its values stand beside its lines."
+                                    ? " A listing cannot print: its values are shown beside its lines."
                                     : ""));
         if (sign != "&" && sign != "|")
             continue;
@@ -143,7 +143,7 @@ Violation callViolation(const Tokens &tokens)
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const bool isDeclared = i > 0 && tokens.is(i - 1, "void");
         if (tokens.is(i, "void") && !(tokens.isWord(i + 1) && tokens.is(i + 2, "(")))
-            return errorAt(tokens[i], "'void' stands only before a function, for example 'void frame()'.");
+            return errorAt(tokens[i], "'void' is only for functions, for example 'void frame()'.");
         const std::string_view name = tokens[i].text;
         if (isPrimitive(name) && tokens.is(i + 1, "(") &&
             std::none_of(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1,
@@ -154,7 +154,7 @@ Violation callViolation(const Tokens &tokens)
             continue;
         const bool beginsStatement = i > 0 && isAnyOf(tokens[i - 1].text, {";", "{", "}", ")", "else", "do"});
         if (!beginsStatement || !tokens.is(i + 1, "(") || !tokens.is(tokens.closing(i + 1) + 1, ";"))
-            return errorAt(tokens[i], quoted(name) + " has no value, so it stands alone: '" +
+            return errorAt(tokens[i], quoted(name) + " returns no value, so call it on its own: '" +
                                           std::string(name) + "(...);'.");
     }
     return {};
@@ -210,7 +210,7 @@ Violation assignmentViolation(const Tokens &tokens)
             continue; // a comparison
         if (isInside || isSet)
             return errorAt(tokens[i],
-                           "'=' sets a value, and stands once in a statement. To compare, write '=='.");
+                           "'=' sets a value, and can be used once in a statement. To compare, write '=='.");
         if (!followsVariable(tokens, i))
             return errorAt(tokens[i],
                            "Only a variable can be set: a name, with members or an index behind it.");

@@ -34,7 +34,7 @@ void RuleInterpreter::findFunctions()
             const char *name = nullptr;
             module()->GetGlobalVar(i, &name);
             addErrorAt(name, "A rule remembers nothing, so '" + std::string(name) +
-                                 "' cannot stand outside of a function. Move it into one.");
+                                 "' cannot be outside of a function. Move it into one.");
         }
         m_force = find("force", "Vec2 force(Body me)");
         m_pull = find("pull", "Vec2 pull(Body me, Body other)");
@@ -159,7 +159,7 @@ std::optional<RunError> RuleInterpreter::mistake(const sim::RuleScene &scene, co
     run(scene, state, m_failedCall);
     m_findsNonFinite = false;
     if (!error())
-        setError({RunErrorKind::notFinite, lastLine(), "The force is not a finite number.", {}});
+        setError({RunErrorKind::notFinite, lastLine(), notFiniteSentence("The force"), {}});
     context().Unprepare();
     return error();
 }
@@ -170,8 +170,7 @@ void RuleInterpreter::onNewLine(int line, int, int)
         return;
     for (const Variable &variable : variables()) {
         if (!isFinite(variable.value))
-            return fail(RunErrorKind::notFinite, m_lineBefore,
-                        "'" + variable.name + "' is not a finite number.");
+            return fail(RunErrorKind::notFinite, m_lineBefore, notFiniteSentence("'" + variable.name + "'"));
     }
     m_lineBefore = line;
 }

@@ -86,10 +86,9 @@ void ScriptEngine::messageCallback(const asSMessageInfo *message, void *self)
         return engine.addError(line, column, plainSentence(text, place));
     place.isAtLineEnd = isAboutGap(text) && marked != tokens.begin() && (marked - 1)->line < marked->line;
     if (isAboutGap(text) && marked->text == "else")
-        return engine.addError(
-            marked->line, marked->column,
-            "This 'else' has no 'if'. The lines that belong to a condition stand between '{' "
-            "and '}'.");
+        return engine.addError(marked->line, marked->column,
+                               "This 'else' has no 'if'. The lines that belong to a condition go between '{' "
+                               "and '}'.");
     const bool isBehindName = marked != tokens.begin() && marked->kind == Token::Kind::sign &&
                               (marked - 1)->kind == Token::Kind::word;
     if (place.isAtLineEnd || (isAboutChange(text) && isBehindName))

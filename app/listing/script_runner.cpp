@@ -10,6 +10,13 @@ namespace listing {
 
 using namespace AngelScript;
 
+std::string notFiniteSentence(const std::string &name)
+{
+    return name +
+           " is not a finite number. Look for the root of a negative number, or for a number that grows "
+           "in each frame.";
+}
+
 ScriptRunner::ScriptRunner(const SourceScan &scan, const Vocabulary &vocabulary, BodyAccess access,
                            int maxLines)
     : m_scan(scan), m_script(scan, vocabulary), m_cells(m_script.engine(), vocabulary, access),

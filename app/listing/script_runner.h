@@ -22,6 +22,10 @@ using AngelScript::asIScriptContext;
 using AngelScript::asIScriptFunction;
 using AngelScript::asIScriptModule;
 
+/// Returns why a number stops a frame or a rule: it is infinite or not a number.
+/// @param name the number, such as "The force"
+std::string notFiniteSentence(const std::string &name);
+
 /// Runs functions of a compiled text on a scene, within the bounds of limits.h, and says where and why they stop. Only one
 /// thread may use it at a time.
 class ScriptRunner

@@ -68,7 +68,7 @@ void SourceScan::closeBraces()
         const bool beginsFunction = (m_tokens.is(i, "void") || isType(m_tokens[i].text)) &&
                                     m_tokens.isWord(i + 1) && m_tokens.isHead(i + 1);
         if (beginsFunction && isBalanced && !open.empty() && indents.back() < m_tokens[i].column)
-            return fail(m_tokens[i], "No function stands inside another one. Move it out.");
+            return fail(m_tokens[i], "A function cannot be inside another function. Move it out.");
         while (beginsFunction && !open.empty()) // no function stands inside another one
             closeBefore(i);
         if (m_tokens.is(i, "{")) {

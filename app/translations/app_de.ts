@@ -874,7 +874,7 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>%1 braucht Klammern um seine Zahl, wie in %1(%2.vy).</translation>
     </message>
     <message>
-        <source>a comma can stand only between two bodies, as in distance(%1, %2); write numbers with a point.</source>
+        <source>a comma can only be between two bodies, as in distance(%1, %2); write numbers with a point.</source>
         <translation>ein Komma kann nur zwischen zwei Körpern stehen wie in distance(%1, %2); schreib Zahlen mit Punkt.</translation>
     </message>
     <message>
@@ -3457,20 +3457,20 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Schreib für jeden Wert eine Variable.</translation>
     </message>
     <message>
-        <source>This stands outside of a function.</source>
+        <source>This is outside of any function.</source>
         <translation>Das steht außerhalb einer Funktion.</translation>
     </message>
     <message>
-        <source>No function stands inside another one.</source>
-        <translation>Keine Funktion steht in einer anderen.</translation>
+        <source>A function cannot be inside another function.</source>
+        <translation>Eine Funktion kann nicht in einer anderen stehen.</translation>
     </message>
     <message>
         <source>Move it out.</source>
         <translation>Verschiebe sie nach außen.</translation>
     </message>
     <message>
-        <source>%1 stands only in a loop.</source>
-        <translation>%1 steht nur in einer Schleife.</translation>
+        <source>%1 works only in a loop.</source>
+        <translation>%1 geht nur in einer Schleife.</translation>
     </message>
     <message>
         <source>%1 does not belong here.</source>
@@ -3489,8 +3489,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Eine Funktion beginnt mit dem Typ ihres Ergebnisses, zum Beispiel %1 oder %2.</translation>
     </message>
     <message>
-        <source>A function stands alone here: %1.</source>
-        <translation>Eine Funktion steht hier für sich: %1.</translation>
+        <source>A function is called without an object here: %1.</source>
+        <translation>Eine Funktion wird hier ohne Objekt aufgerufen: %1.</translation>
     </message>
     <message>
         <source>This text cannot be compiled.</source>
@@ -3537,7 +3537,7 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Ein Name hat nur die Buchstaben a bis z, Ziffern und &apos;_&apos;.</translation>
     </message>
     <message>
-        <source>A listing prints nothing: its values stand beside its lines.</source>
+        <source>A listing cannot print: its values are shown beside its lines.</source>
         <translation>Ein Listing gibt nichts aus: Seine Werte stehen neben seinen Zeilen.</translation>
     </message>
     <message>
@@ -3545,19 +3545,19 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Eine Potenz ist %1.</translation>
     </message>
     <message>
-        <source>A place or a velocity is written %1.</source>
+        <source>Write a position or a velocity as %1.</source>
         <translation>Einen Ort oder eine Geschwindigkeit schreibst du so: %1.</translation>
     </message>
     <message>
-        <source>A condition stands in brackets: %1.</source>
+        <source>A condition needs brackets: %1.</source>
         <translation>Eine Bedingung steht in Klammern: %1.</translation>
     </message>
     <message>
-        <source>No &apos;:&apos; stands here.</source>
-        <translation>Hier steht kein &apos;:&apos;.</translation>
+        <source>Leave out the &apos;:&apos;.</source>
+        <translation>Lass das &apos;:&apos; weg.</translation>
     </message>
     <message>
-        <source>The lines that belong to a condition stand between &apos;{&apos; and &apos;}&apos;.</source>
+        <source>The lines that belong to a condition go between &apos;{&apos; and &apos;}&apos;.</source>
         <translation>Die Zeilen, die zu einer Bedingung gehören, stehen zwischen &apos;{&apos; und &apos;}&apos;.</translation>
     </message>
     <message>
@@ -3585,15 +3585,15 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Eine Zahl hat hier einen Punkt und kein Komma: %1.</translation>
     </message>
     <message>
-        <source>&apos;void&apos; stands only before a function, for example %1.</source>
+        <source>&apos;void&apos; is only for functions, for example %1.</source>
         <translation>&apos;void&apos; steht nur vor einer Funktion, zum Beispiel %1.</translation>
     </message>
     <message>
-        <source>%1 has no value, so it stands alone: %2.</source>
-        <translation>%1 hat keinen Wert, steht also allein: %2.</translation>
+        <source>%1 returns no value, so call it on its own: %2.</source>
+        <translation>%1 gibt keinen Wert zurück. Rufe es für sich auf: %2.</translation>
     </message>
     <message>
-        <source>&apos;=&apos; sets a value, and stands once in a statement.</source>
+        <source>&apos;=&apos; sets a value, and can be used once in a statement.</source>
         <translation>&apos;=&apos; setzt einen Wert und steht nur einmal in einer Anweisung.</translation>
     </message>
     <message>
@@ -3733,6 +3733,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Der Winkel oder die Drehung von %1 ist keine endliche Zahl.</translation>
     </message>
     <message>
+        <source>Look for the root of a negative number, or for a number that grows in each frame.</source>
+        <translation>Suche nach der Wurzel einer negativen Zahl oder nach einer Zahl, die in jedem Bild wächst.</translation>
+    </message>
+    <message>
         <source>The gait of %1 is not a finite number.</source>
         <translation>Der Gang von %1 ist keine endliche Zahl.</translation>
     </message>
@@ -3763,7 +3767,7 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Die Funktion %1 einer Regel hat die Form %2.</translation>
     </message>
     <message>
-        <source>A rule remembers nothing, so %1 cannot stand outside of a function.</source>
+        <source>A rule remembers nothing, so %1 cannot be outside of a function.</source>
         <translation>Eine Regel merkt sich nichts, darum kann %1 nicht außerhalb einer Funktion stehen.</translation>
     </message>
     <message>
@@ -7869,8 +7873,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>The name that stands in the notebook. Without it, the notebook names nobody</source>
-        <translation>Der Name, der im Heft steht. Ohne ihn nennt das Heft niemanden</translation>
+        <source>Your name for the notebook. Without it, the notebook has no name</source>
+        <translation>Dein Name für das Heft. Ohne ihn hat das Heft keinen Namen</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -9460,7 +9464,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Lass deine Regel wieder wirken, von Bild 0 an</translation>
     </message>
     <message>
-        <source>Delete your rule and begin anew (Undo brings it back)</source>
+        <source>Delete your rule and start over (Undo brings it back)</source>
         <translation>Deine Regel löschen und neu anfangen (Rückgängig bringt sie zurück)</translation>
     </message>
     <message>

@@ -874,7 +874,7 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>%1 necesita paréntesis alrededor de su número, como en %1(%2.vy).</translation>
     </message>
     <message>
-        <source>a comma can stand only between two bodies, as in distance(%1, %2); write numbers with a point.</source>
+        <source>a comma can only be between two bodies, as in distance(%1, %2); write numbers with a point.</source>
         <translation>una coma solo puede estar entre dos cuerpos, como en distance(%1, %2); escribe los números con punto.</translation>
     </message>
     <message>
@@ -3457,19 +3457,19 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Escribe una variable para cada valor.</translation>
     </message>
     <message>
-        <source>This stands outside of a function.</source>
+        <source>This is outside of any function.</source>
         <translation>Esto está fuera de una función.</translation>
     </message>
     <message>
-        <source>No function stands inside another one.</source>
-        <translation>Ninguna función va dentro de otra.</translation>
+        <source>A function cannot be inside another function.</source>
+        <translation>Una función no puede estar dentro de otra.</translation>
     </message>
     <message>
         <source>Move it out.</source>
         <translation>Sácala fuera.</translation>
     </message>
     <message>
-        <source>%1 stands only in a loop.</source>
+        <source>%1 works only in a loop.</source>
         <translation>%1 solo va dentro de un bucle.</translation>
     </message>
     <message>
@@ -3489,8 +3489,8 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Una función empieza con el tipo de su resultado, por ejemplo %1 o %2.</translation>
     </message>
     <message>
-        <source>A function stands alone here: %1.</source>
-        <translation>Aquí una función va sola: %1.</translation>
+        <source>A function is called without an object here: %1.</source>
+        <translation>Aquí una función se llama sin objeto: %1.</translation>
     </message>
     <message>
         <source>This text cannot be compiled.</source>
@@ -3537,7 +3537,7 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Un nombre solo tiene las letras de la a a la z, cifras y &apos;_&apos;.</translation>
     </message>
     <message>
-        <source>A listing prints nothing: its values stand beside its lines.</source>
+        <source>A listing cannot print: its values are shown beside its lines.</source>
         <translation>Un listado no imprime nada: sus valores están junto a sus líneas.</translation>
     </message>
     <message>
@@ -3545,19 +3545,19 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Una potencia es %1.</translation>
     </message>
     <message>
-        <source>A place or a velocity is written %1.</source>
+        <source>Write a position or a velocity as %1.</source>
         <translation>Un lugar o una velocidad se escriben así: %1.</translation>
     </message>
     <message>
-        <source>A condition stands in brackets: %1.</source>
+        <source>A condition needs brackets: %1.</source>
         <translation>Una condición va entre paréntesis: %1.</translation>
     </message>
     <message>
-        <source>No &apos;:&apos; stands here.</source>
-        <translation>Aquí no va ningún &apos;:&apos;.</translation>
+        <source>Leave out the &apos;:&apos;.</source>
+        <translation>Quita el &apos;:&apos;.</translation>
     </message>
     <message>
-        <source>The lines that belong to a condition stand between &apos;{&apos; and &apos;}&apos;.</source>
+        <source>The lines that belong to a condition go between &apos;{&apos; and &apos;}&apos;.</source>
         <translation>Las líneas que pertenecen a una condición van entre &apos;{&apos; y &apos;}&apos;.</translation>
     </message>
     <message>
@@ -3585,15 +3585,15 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Un número lleva punto, no coma: %1.</translation>
     </message>
     <message>
-        <source>&apos;void&apos; stands only before a function, for example %1.</source>
+        <source>&apos;void&apos; is only for functions, for example %1.</source>
         <translation>&apos;void&apos; solo va antes de una función, por ejemplo %1.</translation>
     </message>
     <message>
-        <source>%1 has no value, so it stands alone: %2.</source>
-        <translation>%1 no tiene ningún valor, así que va solo: %2.</translation>
+        <source>%1 returns no value, so call it on its own: %2.</source>
+        <translation>%1 no devuelve ningún valor, así que llámalo por separado: %2.</translation>
     </message>
     <message>
-        <source>&apos;=&apos; sets a value, and stands once in a statement.</source>
+        <source>&apos;=&apos; sets a value, and can be used once in a statement.</source>
         <translation>&apos;=&apos; asigna un valor, y va una sola vez en una instrucción.</translation>
     </message>
     <message>
@@ -3733,6 +3733,10 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>El ángulo o la velocidad angular de %1 no es un número finito.</translation>
     </message>
     <message>
+        <source>Look for the root of a negative number, or for a number that grows in each frame.</source>
+        <translation>Busca la raíz de un número negativo o un número que crezca en cada fotograma.</translation>
+    </message>
+    <message>
         <source>The gait of %1 is not a finite number.</source>
         <translation>La marcha de %1 no es un número finito.</translation>
     </message>
@@ -3763,7 +3767,7 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>La función %1 de una regla tiene la forma %2.</translation>
     </message>
     <message>
-        <source>A rule remembers nothing, so %1 cannot stand outside of a function.</source>
+        <source>A rule remembers nothing, so %1 cannot be outside of a function.</source>
         <translation>Una regla no recuerda nada, así que %1 no puede estar fuera de una función.</translation>
     </message>
     <message>
@@ -7869,8 +7873,8 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>The name that stands in the notebook. Without it, the notebook names nobody</source>
-        <translation>El nombre que figura en el cuaderno. Sin él, el cuaderno no nombra a nadie</translation>
+        <source>Your name for the notebook. Without it, the notebook has no name</source>
+        <translation>Tu nombre para el cuaderno. Sin él, el cuaderno no tiene nombre</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -9460,7 +9464,7 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Haz que tu regla actúe de nuevo, desde el fotograma 0</translation>
     </message>
     <message>
-        <source>Delete your rule and begin anew (Undo brings it back)</source>
+        <source>Delete your rule and start over (Undo brings it back)</source>
         <translation>Eliminar tu regla y empezar de nuevo (Deshacer la recupera)</translation>
     </message>
     <message>

@@ -874,7 +874,7 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>%1 a besoin de parenthèses autour de son nombre, comme dans %1(%2.vy).</translation>
     </message>
     <message>
-        <source>a comma can stand only between two bodies, as in distance(%1, %2); write numbers with a point.</source>
+        <source>a comma can only be between two bodies, as in distance(%1, %2); write numbers with a point.</source>
         <translation>une virgule ne va qu’entre deux corps, comme dans distance(%1, %2)&#x202f;; écris les nombres avec un point.</translation>
     </message>
     <message>
@@ -3457,19 +3457,19 @@ Un mot que le texte utilise, en une phrase.
         <translation>Écris une variable pour chaque valeur.</translation>
     </message>
     <message>
-        <source>This stands outside of a function.</source>
+        <source>This is outside of any function.</source>
         <translation>Ceci est hors d’une fonction.</translation>
     </message>
     <message>
-        <source>No function stands inside another one.</source>
-        <translation>Aucune fonction ne se trouve dans une autre.</translation>
+        <source>A function cannot be inside another function.</source>
+        <translation>Une fonction ne peut pas être dans une autre.</translation>
     </message>
     <message>
         <source>Move it out.</source>
         <translation>Place-la à l’extérieur.</translation>
     </message>
     <message>
-        <source>%1 stands only in a loop.</source>
+        <source>%1 works only in a loop.</source>
         <translation>%1 ne se trouve que dans une boucle.</translation>
     </message>
     <message>
@@ -3489,8 +3489,8 @@ Un mot que le texte utilise, en une phrase.
         <translation>Une fonction commence par le type de son résultat, par exemple %1 ou %2.</translation>
     </message>
     <message>
-        <source>A function stands alone here: %1.</source>
-        <translation>Ici, une fonction est seule&#xa0;: %1.</translation>
+        <source>A function is called without an object here: %1.</source>
+        <translation>Ici, une fonction s’appelle sans objet&#xa0;: %1.</translation>
     </message>
     <message>
         <source>This text cannot be compiled.</source>
@@ -3537,7 +3537,7 @@ Un mot que le texte utilise, en une phrase.
         <translation>Un nom n’a que les lettres de a à z, des chiffres et &apos;_&apos;.</translation>
     </message>
     <message>
-        <source>A listing prints nothing: its values stand beside its lines.</source>
+        <source>A listing cannot print: its values are shown beside its lines.</source>
         <translation>Un listing n’affiche rien&#xa0;: ses valeurs sont à côté de ses lignes.</translation>
     </message>
     <message>
@@ -3545,19 +3545,19 @@ Un mot que le texte utilise, en une phrase.
         <translation>Une puissance est %1.</translation>
     </message>
     <message>
-        <source>A place or a velocity is written %1.</source>
+        <source>Write a position or a velocity as %1.</source>
         <translation>Une position ou une vitesse s’écrit %1.</translation>
     </message>
     <message>
-        <source>A condition stands in brackets: %1.</source>
+        <source>A condition needs brackets: %1.</source>
         <translation>Une condition est entre parenthèses&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>No &apos;:&apos; stands here.</source>
-        <translation>Il ne faut pas de &apos;:&apos; ici.</translation>
+        <source>Leave out the &apos;:&apos;.</source>
+        <translation>Enlève le &apos;:&apos;.</translation>
     </message>
     <message>
-        <source>The lines that belong to a condition stand between &apos;{&apos; and &apos;}&apos;.</source>
+        <source>The lines that belong to a condition go between &apos;{&apos; and &apos;}&apos;.</source>
         <translation>Les lignes qui dépendent d’une condition sont entre &apos;{&apos; et &apos;}&apos;.</translation>
     </message>
     <message>
@@ -3585,15 +3585,15 @@ Un mot que le texte utilise, en une phrase.
         <translation>Un nombre a un point, pas une virgule&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>&apos;void&apos; stands only before a function, for example %1.</source>
+        <source>&apos;void&apos; is only for functions, for example %1.</source>
         <translation>&apos;void&apos; ne va que devant une fonction, par exemple %1.</translation>
     </message>
     <message>
-        <source>%1 has no value, so it stands alone: %2.</source>
-        <translation>%1 n’a pas de valeur, donc il est seul&#xa0;: %2.</translation>
+        <source>%1 returns no value, so call it on its own: %2.</source>
+        <translation>%1 ne renvoie pas de valeur, donc appelle-le à part&#xa0;: %2.</translation>
     </message>
     <message>
-        <source>&apos;=&apos; sets a value, and stands once in a statement.</source>
+        <source>&apos;=&apos; sets a value, and can be used once in a statement.</source>
         <translation>&apos;=&apos; donne une valeur, et n’apparaît qu’une fois dans une instruction.</translation>
     </message>
     <message>
@@ -3733,6 +3733,10 @@ Un mot que le texte utilise, en une phrase.
         <translation>L’angle ou la vitesse angulaire de «&#x202f;%1&#x202f;» n’est pas un nombre fini.</translation>
     </message>
     <message>
+        <source>Look for the root of a negative number, or for a number that grows in each frame.</source>
+        <translation>Cherche la racine d’un nombre négatif ou un nombre qui grandit à chaque image.</translation>
+    </message>
+    <message>
         <source>The gait of %1 is not a finite number.</source>
         <translation>L’allure de %1 n’est pas un nombre fini.</translation>
     </message>
@@ -3763,7 +3767,7 @@ Un mot que le texte utilise, en une phrase.
         <translation>La fonction %1 d’une règle a la forme %2.</translation>
     </message>
     <message>
-        <source>A rule remembers nothing, so %1 cannot stand outside of a function.</source>
+        <source>A rule remembers nothing, so %1 cannot be outside of a function.</source>
         <translation>Une règle ne mémorise rien, donc %1 ne peut pas être hors d’une fonction.</translation>
     </message>
     <message>
@@ -7869,8 +7873,8 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Nom</translation>
     </message>
     <message>
-        <source>The name that stands in the notebook. Without it, the notebook names nobody</source>
-        <translation>Le nom qui figure dans le cahier. Sans lui, le cahier ne nomme personne</translation>
+        <source>Your name for the notebook. Without it, the notebook has no name</source>
+        <translation>Ton nom pour le cahier. Sans lui, le cahier n’a pas de nom</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -9460,7 +9464,7 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Laisser ta règle agir à nouveau, à partir de l’image 0</translation>
     </message>
     <message>
-        <source>Delete your rule and begin anew (Undo brings it back)</source>
+        <source>Delete your rule and start over (Undo brings it back)</source>
         <translation>Supprimer ta règle et recommencer (Annuler la ramène)</translation>
     </message>
     <message>

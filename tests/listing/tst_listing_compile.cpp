@@ -95,7 +95,7 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
     row("single ampersand", "if (k > 1 & damp > 0) body.velocity.x = 1;",
         "3:11+1 '&' is not part of this language. Did you mean '&&'?");
     row("assignment as a condition", "if (k = 1) body.velocity.x = 1;",
-        "3:7+1 '=' sets a value, and stands once in a statement. To compare, write '=='.");
+        "3:7+1 '=' sets a value, and can be used once in a statement. To compare, write '=='.");
     row("value of a choice is set", "k > 1 ? body.position.x : body.position.y = 1;",
         "3:43+1 Only a variable can be set: a name, with members or an index behind it.");
     row("choice between a whole number and another one", "double a = damp < 1 ? 1 / damp : 1;",
@@ -104,13 +104,13 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
         "3:11+1 Compare two values at a time, for example 'a < b && b < c'.");
     row("comparisons apart", "bool a = 0 < k && k <= 1 || (k == 2) != (k > 3 ? k < 9 : k > 1);", "");
     row("two assignments", "double a = 1; double b = 2; a = b = 3;",
-        "3:35+1 '=' sets a value, and stands once in a statement. To compare, write '=='.");
+        "3:35+1 '=' sets a value, and can be used once in a statement. To compare, write '=='.");
     row("assignments in the head of a loop", "for (int i = 0, j = 1; i <= j; i += 2) j -= 1;", "");
     row("switch", "switch (1) {}", "3:1+6 'switch' is reserved and not part of this language. Use 'if'.");
     row("power sign", "body.velocity.x = 2 ^ 3;",
         "3:21+1 '^' is not part of this language. A power is 'pow(a, b)'.");
     row("function without a value", "body.velocity.x = frame();",
-        "3:19+5 'frame' has no value, so it stands alone: 'frame(...);'.");
+        "3:19+5 'frame' returns no value, so call it on its own: 'frame(...);'.");
     row("number with a suffix", "double a = 1.5f;", "3:12+4 A number ends without 'f' here.");
     row("type around a number", "int a = int(2.7);", "3:9+3 Write the number itself, without 'int(...)'.");
     row("number as a constant vector", "const Vec2 z = true;", "3:16+4 A bool cannot be used as a Vec2.");
@@ -128,7 +128,7 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
     row("variable without a type", "x = 3;",
         "3:1+1 There is no 'x'. A new variable needs a type: 'double x', 'int x' or 'Vec2 x'.");
     row("printing", "print(k);",
-        "3:1+5 There is no 'print'. A listing prints nothing: its values stand beside its lines.");
+        "3:1+5 There is no 'print'. A listing cannot print: its values are shown beside its lines.");
     row("unknown function", "jump(k);",
         "3:1+4 There is no function 'jump'. The functions are sin, cos, atan2, sqrt, pow, hypot, abs, min, "
         "max, "
@@ -147,7 +147,7 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
     row("type in place of a body", "Body.velocity *= damp;",
         "3:1+4 'Body' is a type and has no value. Write 'body'.");
     row("number as a vector", "body.velocity = 0;",
-        "3:17+1 An int cannot be used as a Vec2. A place or a velocity is written 'Vec2(x, y)'.");
+        "3:17+1 An int cannot be used as a Vec2. Write a position or a velocity as 'Vec2(x, y)'.");
     row("body as a vector", "body.position = feet[0];",
         "3:17+4 A Body cannot be used as a Vec2. Use the position or the velocity of the body.");
     row("number as a truth value", "bool a = 1;",
@@ -170,8 +170,8 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
     row("number as a function", "body.velocity.x += 2(k);",
         "3:21+1 This is not a function. To multiply, write '*'.");
     row("function without brackets", "double a = abs -3;", "3:16+1 Write it as 'abs(x)'.");
-    row("break without a loop", "break;", "3:1+5 'break' stands only in a loop.");
-    row("continue without a loop", "continue;", "3:1+8 'continue' stands only in a loop.");
+    row("break without a loop", "break;", "3:1+5 'break' works only in a loop.");
+    row("continue without a loop", "continue;", "3:1+8 'continue' works only in a loop.");
     row("unused sum", "body.position.x + 3;",
         "3:1+4 This computes a value, and nothing keeps it. To set a value, write '='.");
     row("unused call", "length(hand);",
@@ -219,10 +219,10 @@ void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
         "3:14+1 Between whole numbers, '/' drops the fraction: this is 0. Write '1.0 / 2'.");
     row("half of an even number", "double a = 4 / 2 + 1.0 / 2 + feet.count / 2;", "");
     row("place in brackets", "body.position = (1, 2);",
-        "3:17+1 A place or a velocity is written 'Vec2(x, y)'.");
-    row("condition without brackets", "if k > 1 { }", "3:1+2 A condition stands in brackets: 'if (...)'.");
+        "3:17+1 Write a position or a velocity as 'Vec2(x, y)'.");
+    row("condition without brackets", "if k > 1 { }", "3:1+2 A condition needs brackets: 'if (...)'.");
     row("colon", "if (k > 1):\nbody.position = hand;",
-        "3:11+1 No ':' stands here. The lines that belong to a condition stand between '{' and '}'.");
+        "3:11+1 Leave out the ':'. The lines that belong to a condition go between '{' and '}'.");
     row("then", "if (k > 1) then body.position = hand;",
         "3:12+4 'then' is not part of this language. Leave it out.");
     row("semicolon behind a condition", "if (k > 1);\nbody.position = hand;",
@@ -232,7 +232,7 @@ void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
         "3:28+1 This ';' ends 'for', so that nothing belongs to it. Delete the ';'.");
     row("else without if",
         "if (k > 1)\nbody.velocity *= k;\nbody.position = hand;\nelse\nbody.position = hand;",
-        "6:1+4 This 'else' has no 'if'. The lines that belong to a condition stand between '{' and '}'.");
+        "6:1+4 This 'else' has no 'if'. The lines that belong to a condition go between '{' and '}'.");
     row("no dot behind an index", "feet[0]velocity *= damp;", "3:8+8 '.' is missing before 'velocity'.");
     row("comma in place of a dot", "body.position,x = 3;",
         "3:14+1 Write '.' between a body and its member, for example 'body.position'.");
@@ -244,9 +244,9 @@ void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
     row("minus and equals swapped", "body.position.x =- 3;", "3:17+1 Write '-=' to subtract from a value.");
     row("negative value", "body.position.x = -3; body.position.x =-k;", "");
     row("unequal in another language", "if (k <> 1) body.position = hand;", "3:7+1 Write '!=' to compare.");
-    row("place in braces", "Vec2 a = {1, 2};", "3:10+1 A place or a velocity is written 'Vec2(x, y)'.");
+    row("place in braces", "Vec2 a = {1, 2};", "3:10+1 Write a position or a velocity as 'Vec2(x, y)'.");
     row("place in square brackets", "Vec2 a = [1, 2];",
-        "3:10+1 A place or a velocity is written 'Vec2(x, y)'.");
+        "3:10+1 Write a position or a velocity as 'Vec2(x, y)'.");
     row("member as a function", "if (body.held()) body.position = hand;",
         "3:10+4 'held' is not a function. Write it without '()'.");
     row("comment without an end", "/* hand\nbody.position = hand;", "3:1+2 This '/*' has no '*/'.");
@@ -258,7 +258,7 @@ void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
     row("printed square", "body.velocity.x = k²;",
         "3:20+2 '²' is not part of this language. A power is 'pow(a, b)'.");
     row("output", "cout << k;",
-        "3:6+1 '<<' is not part of this language. A listing prints nothing: its values stand beside its "
+        "3:6+1 '<<' is not part of this language. A listing cannot print: its values are shown beside its "
         "lines.");
     row("capital letter", "If (k > 1) body.position = hand;", "3:1+2 Write 'if' with small letters.");
     row("elif", "if (k > 1) { } elif (k > 2) { }",
@@ -280,7 +280,7 @@ void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
     row("arrow", "body->velocity *= damp;",
         "3:5+1 Write '.' between a body and its member, for example 'body.position'.");
     row("method", "double a = body.velocity.length();",
-        "3:26+6 A function stands alone here: 'length(...)'.");
+        "3:26+6 A function is called without an object here: 'length(...)'.");
     row("other languages' number", "float a = 1;",
         "3:1+5 'float' is reserved and not part of this language. Use 'double'.");
     row("other languages' comment", "# move",
@@ -297,13 +297,13 @@ void ListingCompile::codeStandsInFunctions_data()
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("error");
     QTest::newRow("no function") << "body.velocity *= damp;"
-                                 << "1:1+4 This stands outside of a function. Put it between the braces of "
+                                 << "1:1+4 This is outside of any function. Put it between the braces of "
                                     "a function.";
     QTest::newRow("array") << "array<double> a(9);\nvoid frame() {}"
                            << "1:1+5 A listing cannot make arrays. Write a variable for each value.";
     QTest::newRow("a brace too many")
         << "void frame()\n{\nif (k > 1)\nbody.position = hand;\n}\nelse\n{\n}\n}"
-        << "6:1+4 This stands outside of a function. Look for a '}' too many above.";
+        << "6:1+4 This is outside of any function. Look for a '}' too many above.";
     QTest::newRow("no type")
         << "frame()\n{\n}"
         << "1:1+5 A function begins with the type of its result, for example 'void' or 'Vec2'.";
@@ -313,13 +313,13 @@ void ListingCompile::codeStandsInFunctions_data()
     QTest::newRow("no brace") << "void frame()\n    body.position = hand;"
                               << "1:12+1 '{' is missing at the end of this line.";
     QTest::newRow("no brackets") << "void frame\n{\n}"
-                                 << "1:1+4 'void' stands only before a function, for example 'void frame()'.";
+                                 << "1:1+4 'void' is only for functions, for example 'void frame()'.";
     QTest::newRow("semicolon behind the head")
         << "void frame();\n{\n    body.position = hand;\n}"
         << "1:13+1 This ';' ends 'frame', so that nothing belongs to it. Delete the ';'.";
     QTest::newRow("function in a function")
         << "void frame()\n{\n    void stop()\n    {\n    }\n    stop();\n}"
-        << "3:5+4 No function stands inside another one. Move it out.";
+        << "3:5+4 A function cannot be inside another function. Move it out.";
     QTest::newRow("function twice") << "void frame() {}\nvoid frame() {}"
                                     << "2:1+4 There already is 'frame' here. Use another name.";
     QTest::newRow("function of the listing with other values")

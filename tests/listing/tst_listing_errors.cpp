@@ -10,6 +10,17 @@ using listing::RunError;
 using listing::RunErrorKind;
 using sim::Vec2;
 
+namespace {
+
+QString notFinite(const char *name)
+{
+    return QString("%1 is not a finite number. "
+                   "Look for the root of a negative number, or for a number that grows in each frame.")
+        .arg(name);
+}
+
+}
+
 /// The errors of a program that runs.
 class ListingErrors : public QObject
 {
@@ -40,10 +51,10 @@ void ListingErrors::mistakeWithACreatureSaysWhichOne_data()
                              "creatures[1].feet[0] to creatures[1].feet[1].";
     QTest::newRow("none") << "Creature one;\none.body.position.x = 1;"
                           << "This variable stands for no body.";
-    QTest::newRow("infinite position") << "creatures[1].body.position.x = sqrt(-1);"
-                                       << "The position of creatures[1].body is not a finite number.";
+    QTest::newRow("infinite position")
+        << "creatures[1].body.position.x = sqrt(-1);" << notFinite("The position of creatures[1].body");
     QTest::newRow("infinite clock") << "creatures[2].gait = sqrt(-1);"
-                                    << "The gait of creatures[2] is not a finite number.";
+                                    << notFinite("The gait of creatures[2]");
 }
 
 void ListingErrors::mistakeWithACreatureSaysWhichOne()
@@ -66,7 +77,7 @@ void ListingErrors::mistakeWithATreeOrAStickSaysWhichOne_data()
     QTest::newRow("child of a twig") << true << "branches[1].children[0].spin = 1;"
                                      << "There is no children[0]: children is empty.";
     QTest::newRow("infinite gust") << true << "gust_front = sqrt(-1);"
-                                   << "'gust_front' or 'gust_tail' is not a finite number.";
+                                   << notFinite("'gust_front' or 'gust_tail'");
     QTest::newRow("stick") << false << "sticks[2].a.position.x = 1;"
                            << "There is no sticks[2]: sticks goes from sticks[0] to sticks[1].";
     QTest::newRow("no stick") << false << "Stick none;\nnone.a.position.x = 1;"
@@ -75,8 +86,8 @@ void ListingErrors::mistakeWithATreeOrAStickSaysWhichOne_data()
                                           << "This variable stands for no body.";
     QTest::newRow("target") << false << "Vec2 first = new_targets[0];"
                             << "There is no new_targets[0]: new_targets is empty.";
-    QTest::newRow("infinite position") << false << "sticks[1].b.position.x = sqrt(-1);"
-                                       << "The position of sticks[1].b is not a finite number.";
+    QTest::newRow("infinite position")
+        << false << "sticks[1].b.position.x = sqrt(-1);" << notFinite("The position of sticks[1].b");
 }
 
 void ListingErrors::mistakeWithATreeOrAStickSaysWhichOne()
@@ -97,9 +108,8 @@ void ListingErrors::errorStopsTheFrameOnItsLine_data()
     QTest::addColumn<int>("line");
     QTest::addColumn<QString>("sentence");
     const auto row = [](const char *name, const std::string &text, RunErrorKind kind, int line,
-                        const char *sentence) {
-        QTest::newRow(name) << QString::fromStdString(text) << int(kind) << line
-                            << QString::fromUtf8(sentence);
+                        const QString &sentence) {
+        QTest::newRow(name) << QString::fromStdString(text) << int(kind) << line << sentence;
     };
     row("index too large", frameOf("int i = 7;\nfeet[i].velocity *= damp;"), RunErrorKind::noSuchBody, 4,
         "There is no feet[7]: feet goes from feet[0] to feet[2].");
@@ -132,16 +142,16 @@ void ListingErrors::errorStopsTheFrameOnItsLine_data()
         "which "
         "it does not.");
     row("infinite velocity", frameOf("double a = 1e200;\nbody.velocity.x = a * a;\nbody.position.x = 3;"),
-        RunErrorKind::notFinite, 4, "The velocity of body is not a finite number.");
+        RunErrorKind::notFinite, 4, notFinite("The velocity of body"));
     row("root of a negative number",
         frameOf("feet[0].position.x = 1;\nfeet[1].position = Vec2(sqrt(-1), 0);"), RunErrorKind::notFinite, 4,
-        "The position of feet[1] is not a finite number.");
+        notFinite("The position of feet[1]"));
     row("division of a vector", frameOf("double n = 0;\nVec2 a = hand / n;"), RunErrorKind::divisionByZero, 4,
         "This divides by 0.");
     row("vector that is divided", frameOf("body.velocity /= length(body.velocity);"),
         RunErrorKind::divisionByZero, 3, "This divides by 0.");
     row("infinite global", "double g = 1e300;\n" + frameOf("g *= g;"), RunErrorKind::notFinite, 4,
-        "'g' is not a finite number.");
+        notFinite("'g'"));
     row("error in an initial value", "double g = feet[9].mass;\n" + frameOf(""), RunErrorKind::noSuchBody, 1,
         "There is no feet[9]: feet goes from feet[0] to feet[2].");
     row("endless initial value", "int f() { while (true) {} return 1; }\nint g = f();\n" + frameOf(""),

@@ -201,7 +201,7 @@ void ConditionParser::expectClose(qsizetype opened)
     if (now().kind == ConditionToken::Kind::end)
         refuse(opened, tr("this parenthesis is not closed; close it with )."));
     if (isSign(QStringLiteral(",")))
-        refuse(now().place, tr("a comma can stand only between two bodies, as in distance(%1, %2); write "
+        refuse(now().place, tr("a comma can only be between two bodies, as in distance(%1, %2); write "
                                "numbers with a point.")
                                 .arg(bodiesOf(m_names.scene).value(0), bodiesOf(m_names.scene).value(1)));
     refuse(now().place, tr("%1 cannot be here; a sign or ) is missing before it.").arg(quoted(now().text)));

@@ -112,7 +112,7 @@ void HandInDialog::addFields(QVBoxLayout &column)
     m_name->setMaxLength(static_cast<int>(Notebook::longestName));
     m_name->setPlaceholderText(tr("may stay empty"));
     m_name->setAccessibleName(tr("Name"));
-    m_name->setToolTip(tr("The name that stands in the notebook. Without it, the notebook names nobody"));
+    m_name->setToolTip(tr("Your name for the notebook. Without it, the notebook has no name"));
     column.addLayout(fieldRow(tr("&Name"), *m_name));
     m_lessons = new QListWidget(this);
     m_lessons->setObjectName("handInLessons");

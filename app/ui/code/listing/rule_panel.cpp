@@ -143,7 +143,7 @@ void RulePanel::refresh()
         m_editor->setListing(text);
     const bool isThere = text != RuleCode::startingText();
     m_delete->setEnabled(isThere);
-    m_delete->setToolTip(isThere ? tr("Delete your rule and begin anew (Undo brings it back)")
+    m_delete->setToolTip(isThere ? tr("Delete your rule and start over (Undo brings it back)")
                                  : tr("There is no rule yet."));
     m_switchOn->setVisible(m_rule.hasRule() && m_changes.isOff(ruleEffect));
     m_state->setText(stateText());
