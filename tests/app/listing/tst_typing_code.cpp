@@ -44,7 +44,19 @@ private slots:
         QCOMPARE(left.count(), 0);
         QTest::keyClicks(&editor, "// here");
         QVERIFY2(editor.text(5).endsWith(" // here\n"), qPrintable(editor.text()));
-        shown.panel.hide(); // applies the typed text
+    }
+
+    void aPanelThatIsDeletedAppliesTheTypedText()
+    {
+        tests::SessionFixture world(LessonLibrary::load({LESSON_DIR}));
+        {
+            ListingPanel panel(world.session, world.theme);
+            tests::show(panel, {600, 500});
+            panel.editor().setFocus();
+            QTest::keyClicks(&panel.editor(), "// last");
+            QVERIFY(panel.editor().isPending());
+        }
+        QVERIFY2(world.session.code().text().startsWith("// last"), qPrintable(world.session.code().text()));
     }
 
     void aMistakeIsUnderlinedAndExplainedWhileTheLastGoodCodeGoesOn()
@@ -212,7 +224,7 @@ private slots:
         QCOMPARE(shown.editor.text(line).trimmed(), QString("foot.velocity *= 1;"));
     }
 
-    void whereThereIsNoScreenNoNamesAreOffered()
+    void outsideOfTheScreenNoNamesAreOffered()
     {
         ListingFixture shown;
         shown.window.move(3000, 0);

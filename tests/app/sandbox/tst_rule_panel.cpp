@@ -124,7 +124,22 @@ private slots:
         settle();
         QTest::keyClicks(&editor, "// here");
         QVERIFY2(editor.text(5).endsWith(" // here\n"), qPrintable(editor.text()));
-        panel.hide(); // applies the typed text
+    }
+
+    void aPanelThatIsDeletedAppliesTheTypedText()
+    {
+        SessionFixture fixture(LessonLibrary::load({LESSON_DIR}));
+        fixture.session.openStep("sandbox", "build");
+        {
+            RulePanel panel(fixture.session.run(), fixture.session.editor(), fixture.session.playback(),
+                            fixture.session.rule(), fixture.theme);
+            show(panel, {600, 500});
+            panel.editor().setFocus();
+            QTest::keyClicks(&panel.editor(), "// last");
+            QVERIFY(panel.editor().isPending());
+        }
+        QVERIFY2(fixture.session.rule().text().startsWith("// last"),
+                 qPrintable(fixture.session.rule().text()));
     }
 
     void lessonsHaveNoSuchPage()

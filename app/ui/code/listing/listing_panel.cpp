@@ -60,6 +60,11 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
     refresh();
 }
 
+ListingPanel::~ListingPanel()
+{
+    hide(); // ~QWidget() would do so when this panel can no longer follow its session
+}
+
 void ListingPanel::connectEditor()
 {
     connect(m_editor, &ListingEditor::written, &m_session.code(), &LearnerCode::write);

@@ -25,6 +25,8 @@ class ListingPanel : public QWidget
 
 public:
     ListingPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    /// Applies the text that was typed last.
+    ~ListingPanel() override;
 
     ListingEditor &editor() { return *m_editor; }
     BreakpointList &stops() { return *m_stops; }

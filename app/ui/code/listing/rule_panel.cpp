@@ -96,6 +96,11 @@ void RulePanel::addCommand(Command &command)
     m_commands->insertWidget(m_commands->count() - 1, button);
 }
 
+RulePanel::~RulePanel()
+{
+    hide(); // ~QWidget() would do so when this panel can no longer follow its session
+}
+
 QString RulePanel::sentence() const
 {
     return m_mistake->sentence();

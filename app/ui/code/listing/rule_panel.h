@@ -29,6 +29,8 @@ public:
     /// All arguments must outlive it.
     RulePanel(const OpenRun &run, RunEditor &changes, const Playback &playback, RuleCode &rule,
               const Theme &theme, QWidget *parent = nullptr);
+    /// Applies the text that was typed last.
+    ~RulePanel() override;
 
     ListingEditor &editor() { return *m_editor; }
     /// Returns the buttons for the right end of the title. The code that creates the title must place them.
