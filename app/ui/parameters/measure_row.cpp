@@ -1,8 +1,8 @@
 #include "app/ui/parameters/measure_row.h"
 
+#include "app/model/text/numbers.h"
 #include "sim/run/script/composed_interval.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -68,14 +68,7 @@ double MeasureRow::valueNow() const
 
 QString MeasureRow::number() const
 {
-    if (!std::isfinite(m_value))
-        return QStringLiteral("–");
-    QString text = QLocale().toString(m_value, std::abs(m_value) < 1e6 ? 'f' : 'g', m_measure.decimals);
-    // A number that rounds to zero has no sign.
-    if (text.startsWith('-') &&
-        std::none_of(text.begin(), text.end(), [](QChar c) { return c >= u'1' && c <= u'9'; }))
-        text.remove(0, 1);
-    return text.replace(u'-', u'−');
+    return std::isfinite(m_value) ? fixedNumber(m_value, m_measure.decimals) : QStringLiteral("–");
 }
 
 void MeasureRow::refresh()

@@ -56,6 +56,13 @@ lessons::Step glide()
          [](const sim::Scene &, const sim::State &, const sim::State *, const sim::Values &) {
              return -0.01;
          }},
+        {"Much",
+         {},
+         "A number with too many digits.",
+         1,
+         [](const sim::Scene &, const sim::State &, const sim::State *, const sim::Values &) {
+             return 4.8e10;
+         }},
     };
     step.isFootDown = [](const sim::Scene &, const sim::State &state, const sim::Values &, int point) {
         return state.frame / glideStride % 2 == point;
@@ -149,7 +156,7 @@ private slots:
         QVERIFY(!fixture.series.at(99 + row));
     }
 
-    void whatAChangeMakesWrongIsMeasuredAgain()
+    void framesAfterAChangeAreMeasuredAgain()
     {
         MeasuredRun fixture;
         QVERIFY(fixture.goTo(60));
@@ -244,12 +251,13 @@ private slots:
         panel.resize(400, 300);
         panel.show();
         const QList<MeasureRow *> rows = panel.findChildren<MeasureRow *>();
-        QCOMPARE(rows.size(), 4);
+        QCOMPARE(rows.size(), 5);
         QCOMPARE(rows[1]->number(), QString("–"));
         QVERIFY(fixture.goTo(40));
         QTRY_COMPARE(rows[0]->number(), QString("220.0"));
         QCOMPARE(rows[1]->number(), QString("3.0"));
         QCOMPARE(rows[3]->number(), QString("0.0")); // not −0.0
+        QCOMPARE(rows[4]->number(), QString("4.8·10¹⁰"));
         fixture.session.playback().goTo({10, 0});
         QTRY_COMPARE(rows[0]->number(), QString("130.0"));
         QCOMPARE(rows[0]->accessibleDescription(), QString("130.0 px. Where p0 is."));
@@ -257,7 +265,7 @@ private slots:
         QVERIFY(panel.isEmpty());
     }
 
-    void whatLooksAtTheWholeRunIsGivenItsScript()
+    void aMeasureOfTheWholeRunReceivesTheScript()
     {
         MeasuredRun fixture;
         fixture.session.openStep("lesson", "whole");
