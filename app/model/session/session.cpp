@@ -80,18 +80,20 @@ void Session::openStep(const QString &lessonId, const QString &stepId)
 
 void Session::openFollowing()
 {
-    if (!following())
+    if (!m_run.following())
         return;
     const bool isSameLesson = m_run.stepNumber() + 1 < lesson().steps.size();
-    openStep(isSameLesson ? lesson().id : library().lessons[m_run.lessonNumber() + 1].id, following()->id);
+    openStep(isSameLesson ? lesson().id : library().lessons[m_run.lessonNumber() + 1].id,
+             m_run.following()->id);
 }
 
 void Session::openPreceding()
 {
-    if (!preceding())
+    if (!m_run.preceding())
         return;
     const bool isSameLesson = m_run.stepNumber() > 0;
-    openStep(isSameLesson ? lesson().id : library().lessons[m_run.lessonNumber() - 1].id, preceding()->id);
+    openStep(isSameLesson ? lesson().id : library().lessons[m_run.lessonNumber() - 1].id,
+             m_run.preceding()->id);
 }
 
 void Session::open(const Experiment &experiment)

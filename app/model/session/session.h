@@ -56,8 +56,6 @@ public:
     QString selected() const { return m_run.selected(); }
     void select(const QString &body) { m_run.select(body); }
 
-    const lessons::Step *following() const { return m_run.following(); }
-    const lessons::Step *preceding() const { return m_run.preceding(); }
     /// Opens a step as it was left, or new. Names that do not exist change nothing.
     void openStep(const QString &lesson, const QString &step);
     void openFollowing();

@@ -184,7 +184,7 @@ void LearnPanel::setForm(Form form)
 void LearnPanel::updateRail()
 {
     const StepButtons &buttons = m_narration->buttons();
-    m_rail->setWays(buttons.back().toolTip(), buttons.next().toolTip(), m_session.preceding());
+    m_rail->setWays(buttons.back().toolTip(), buttons.next().toolTip(), m_session.run().preceding());
     m_rail->setDone(m_session.isStepDone(m_session.lesson(), m_session.step()));
 }
 

@@ -171,9 +171,9 @@ void WindowTest::pageKeysWalkThroughAllStepsOfAllLessons()
     QVERIFY(fixture.window.findChild<SummaryPage *>()->isVisible()); // nothing comes after the last one
     QTest::keyClick(&fixture.view, Qt::Key_PageUp);
     QVERIFY(!fixture.window.findChild<SummaryPage *>()->isVisible());
-    QVERIFY(!fixture.session.following());
+    QVERIFY(!fixture.session.run().following());
     QTest::keyClick(&fixture.view, Qt::Key_PageUp);
-    QVERIFY(fixture.session.following());
+    QVERIFY(fixture.session.run().following());
 }
 
 void WindowTest::scrubbingTheTimelineComesBackToTheSameBits()

@@ -135,7 +135,7 @@ void CodePanel::rebuild()
 
 std::optional<CodeListing> CodePanel::listingBefore() const
 {
-    const lessons::Step *before = m_session.preceding();
+    const lessons::Step *before = m_session.run().preceding();
     return before ? listingAtStart(*before, m_method) : std::nullopt;
 }
 

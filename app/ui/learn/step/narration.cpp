@@ -377,12 +377,12 @@ void Narration::setStepKeys(const QKeySequence &back, const QKeySequence &next)
 
 void Narration::nameButtons()
 {
-    const lessons::Step *before = m_session.preceding();
+    const lessons::Step *before = m_session.run().preceding();
     m_buttons->back().setEnabled(before);
     m_buttons->back().setToolTip(before ? withKeys(tr("Back: %1").arg(before->title), m_backKeys)
                                         : tr("This is the first step."));
     const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
-    const QString next = isLast ? tr("What you learnt") : m_session.following()->title;
+    const QString next = isLast ? tr("What you learnt") : m_session.run().following()->title;
     m_buttons->next().setFullText(tr("Next: %1").arg(next), next);
     m_buttons->next().setToolTip(isLast ? tr("What you learnt in this lesson, and what comes next")
                                         : withKeys(tr("Next: %1").arg(next), m_nextKeys));
