@@ -32,7 +32,7 @@ struct ParameterSpot
 
 /// Returns the words that stand for a parameter of `step` and nothing else. These are the places where the set-up reads
 /// a parameter, the variables that it stores it in, and the same names in the source of effects that receive it. A name
-/// that the code computes anew is left out, such as the fraction of velocity kept in a step.
+/// that the code computes again is left out, such as the fraction of velocity kept in a step.
 std::vector<ParameterSpot> parameterSpots(const CodeListing &listing, const lessons::Step &step,
                                           const sim::ComposedInterval &interval);
 

@@ -104,7 +104,7 @@ void RuleCode::set(const QString &text, const EditLabel &label)
     if (text == startingText()) {
         m_editor.setRule(label, {}, {});
     } else if (text.trimmed().isEmpty()) {
-        m_editor.setRule(label, text, {}); // the starting text would come back while the learner begins anew
+        m_editor.setRule(label, text, {}); // the starting text would come back while the learner starts over
     } else {
         const std::shared_ptr<const sim::Rule> written = compiled(text).rule;
         written ? m_editor.setRule(label, {}, {written}) : m_editor.setRule(label, text, rule());

@@ -136,7 +136,7 @@ void SandboxEditor::drag(End from, End to)
         return;
     m_first.reset();
     link(from, to);
-    m_first.reset(); // a drag makes one link: the next one starts anew
+    m_first.reset(); // a drag makes one link: the next drag starts a new one
     emit changed();
 }
 

@@ -72,7 +72,7 @@ public:
     /// Returns the breakpoint that stopped the run where it is, if nothing has changed since.
     const std::optional<BreakHit> &breakHit() const { return m_hit; }
 
-    /// Starts anew for the open step: its breakpoints are watched, and no goal is left.
+    /// Starts over for the open step: its breakpoints are watched, and no goal is left.
     void open();
     /// Gives up the way to a goal. The cursor stays where it is.
     void stopSeeking();

@@ -135,7 +135,7 @@ private:
     /// run `before` used it, and none if another listing computes the run now.
     std::optional<QString> draftBeside(const sim::Script &script, const RunSnapshot &before) const;
     void restore(const RunSnapshot &to, const QString &replacedName, KeepRun keepReplaced);
-    /// Returns whether the step has to be opened anew for `script`.
+    /// Returns whether the step has to be opened again for `script`.
     bool needsNewStart(const sim::Script &script) const;
     /// Replaces the script and moves the cursor before the first difference. Returns whether the replaced run is the
     /// timeline's comparison now.

@@ -54,7 +54,7 @@ void WindowLayouts::save()
 
 bool WindowLayouts::restore(const QByteArray &state)
 {
-    // Qt 6.4 shows its tab bars one by one from the list that it has of them. Where the window is to be laid out anew, the
+    // Qt 6.4 shows its tab bars one by one from the list that it has of them. Where the window is to be laid out again, the
     // first one shown makes it do so, which replaces the list.
     QLayout *layout = m_layout.window.layout();
     layout->setEnabled(false);

@@ -14,7 +14,7 @@ class PlotsDock;
 class RailChoice;
 
 /// Arranges the panels for the mode of the window. Each mode has its own layout, which is stored. The panels share the
-/// room anew whenever the window changes its size.
+/// room again whenever the window changes its size.
 class WindowLayouts : public QObject
 {
     Q_OBJECT

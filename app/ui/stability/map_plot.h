@@ -59,7 +59,7 @@ protected:
     /// Draws a sign into a cell of this kind.
     virtual void drawSign(QPainter &, const QRectF &, int /*kind*/) const {}
 
-    /// Shows the map anew. Derived classes call it when the map has changed.
+    /// Shows the map again. Derived classes call it when the map has changed.
     void refresh();
     void setGradient(const QCPColorGradient &gradient);
     QColor shadeColor(double shade) const;

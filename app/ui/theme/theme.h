@@ -73,7 +73,7 @@ public:
     void apply(QApplication &application) const;
 
 signals:
-    /// The scheme has changed. `Appearance` applies the theme then, so all widgets are painted anew; only what a widget has
+    /// The scheme has changed. `Appearance` applies the theme then, so all widgets are repainted; only what a widget has
     /// stored of the theme has to follow.
     void changed();
 
