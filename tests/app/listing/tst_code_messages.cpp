@@ -146,7 +146,9 @@ private slots:
                "Bedingung nicht mehr gilt.";
         QTest::newRow("not finite")
             << "body.velocity *= 1e308; body.velocity += Vec2(1e308, 0); body.velocity *= 9;"
-            << "Die Geschwindigkeit von body ist keine endliche Zahl.";
+            << "Die Geschwindigkeit von body ist keine endliche Zahl. Suche nach der Wurzel einer negativen "
+               "Zahl oder "
+               "nach einer Zahl, die in jedem Bild wächst.";
     }
     void mistakesThatStopAFrameAreToldInGerman()
     {
