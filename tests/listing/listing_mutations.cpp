@@ -11,7 +11,7 @@ namespace listing_support {
 
 namespace {
 
-/// What a mutation inserts.
+/// A text that a mutation inserts.
 const QStringList pieces =
     QString::fromLatin1(
         "sticks[i].a|Stick s;|branches[0].children[i]|direction(body, feet[i])|new_targets[0]|"

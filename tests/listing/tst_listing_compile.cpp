@@ -11,22 +11,22 @@ class ListingCompile : public QObject
     Q_OBJECT
 
 private slots:
-    void mistakeIsSaidInOneSentence_data();
-    void mistakeIsSaidInOneSentence();
-    void slipOfABeginnerIsFoundWhereItIs_data();
-    void slipOfABeginnerIsFoundWhereItIs();
-    void codeStandsInFunctions_data();
-    void codeStandsInFunctions();
-    void severalMistakesComeInTheOrderOfTheText();
-    void aMissingBraceIsSaidWhereItOpens_data();
-    void aMissingBraceIsSaidWhereItOpens();
+    void mistakeIsReportedInOneSentence_data();
+    void mistakeIsReportedInOneSentence();
+    void beginnersMistakeIsReportedAtItsPosition_data();
+    void beginnersMistakeIsReportedAtItsPosition();
+    void mistakeOutsideAFunctionBodyIsReported_data();
+    void mistakeOutsideAFunctionBodyIsReported();
+    void mistakesAreReportedInTheOrderOfTheText();
+    void missingBraceIsReportedWhereItsBlockOpens_data();
+    void missingBraceIsReportedWhereItsBlockOpens();
     void frameFunctionIsRequired();
     void boundsAreErrors_data();
     void boundsAreErrors();
     void theLongestListingCompiles();
 };
 
-void ListingCompile::mistakeIsSaidInOneSentence_data()
+void ListingCompile::mistakeIsReportedInOneSentence_data()
 {
     QTest::addColumn<QString>("line");
     QTest::addColumn<QString>("error");
@@ -181,14 +181,14 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
         "3:1+6 A 'void' function returns no value. Write 'return;'.");
 }
 
-void ListingCompile::mistakeIsSaidInOneSentence()
+void ListingCompile::mistakeIsReportedInOneSentence()
 {
     QFETCH(QString, line);
     QFETCH(QString, error);
     QCOMPARE(QString::fromStdString(errorsOf(frameOf(line.toStdString()))), error);
 }
 
-void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
+void ListingCompile::beginnersMistakeIsReportedAtItsPosition_data()
 {
     QTest::addColumn<QString>("line");
     QTest::addColumn<QString>("error");
@@ -287,12 +287,12 @@ void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
         "3:1+1 '#' is not part of this language. A comment begins with '//'.");
 }
 
-void ListingCompile::slipOfABeginnerIsFoundWhereItIs()
+void ListingCompile::beginnersMistakeIsReportedAtItsPosition()
 {
-    mistakeIsSaidInOneSentence();
+    mistakeIsReportedInOneSentence();
 }
 
-void ListingCompile::codeStandsInFunctions_data()
+void ListingCompile::mistakeOutsideAFunctionBodyIsReported_data()
 {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("error");
@@ -330,21 +330,21 @@ void ListingCompile::codeStandsInFunctions_data()
                                << QString();
 }
 
-void ListingCompile::codeStandsInFunctions()
+void ListingCompile::mistakeOutsideAFunctionBodyIsReported()
 {
     QFETCH(QString, text);
     QFETCH(QString, error);
     QCOMPARE(QString::fromStdString(errorsOf(text.toStdString())), error);
 }
 
-void ListingCompile::severalMistakesComeInTheOrderOfTheText()
+void ListingCompile::mistakesAreReportedInTheOrderOfTheText()
 {
     QCOMPARE(errorsOf(frameOf("body.velocty *= damp;\nbody.velocity *= dmap;")),
              std::string("3:6+7 'velocty' is not a member of Body. Did you mean 'velocity'?\n"
                          "4:18+4 There is no 'dmap'. Did you mean 'damp'?"));
 }
 
-void ListingCompile::aMissingBraceIsSaidWhereItOpens_data()
+void ListingCompile::missingBraceIsReportedWhereItsBlockOpens_data()
 {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("error");
@@ -370,9 +370,9 @@ void ListingCompile::aMissingBraceIsSaidWhereItOpens_data()
         << "2:1+1 This '{' has no '}'.";
 }
 
-void ListingCompile::aMissingBraceIsSaidWhereItOpens()
+void ListingCompile::missingBraceIsReportedWhereItsBlockOpens()
 {
-    codeStandsInFunctions();
+    mistakeOutsideAFunctionBodyIsReported();
 }
 
 void ListingCompile::frameFunctionIsRequired()
@@ -416,7 +416,7 @@ void ListingCompile::boundsAreErrors_data()
 
 void ListingCompile::boundsAreErrors()
 {
-    codeStandsInFunctions();
+    mistakeOutsideAFunctionBodyIsReported();
 }
 
 void ListingCompile::theLongestListingCompiles()

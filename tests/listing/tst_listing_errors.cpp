@@ -27,19 +27,19 @@ class ListingErrors : public QObject
     Q_OBJECT
 
 private slots:
-    void mistakeWithACreatureSaysWhichOne_data();
-    void mistakeWithACreatureSaysWhichOne();
-    void mistakeWithATreeOrAStickSaysWhichOne_data();
-    void mistakeWithATreeOrAStickSaysWhichOne();
+    void errorWithACreatureIsReported_data();
+    void errorWithACreatureIsReported();
+    void errorWithATreeOrAStickIsReported_data();
+    void errorWithATreeOrAStickIsReported();
     void errorStopsTheFrameOnItsLine_data();
     void errorStopsTheFrameOnItsLine();
     void errorLeavesTheStateUnchanged();
-    void errorHasTheValuesThatLedThere();
+    void errorHasTheValuesOfItsVariables();
     void programRunsAfterAnError();
     void deepestAllowedCallRuns();
 };
 
-void ListingErrors::mistakeWithACreatureSaysWhichOne_data()
+void ListingErrors::errorWithACreatureIsReported_data()
 {
     QTest::addColumn<QString>("line");
     QTest::addColumn<QString>("sentence");
@@ -57,7 +57,7 @@ void ListingErrors::mistakeWithACreatureSaysWhichOne_data()
                                     << notFinite("The gait of creatures[2]");
 }
 
-void ListingErrors::mistakeWithACreatureSaysWhichOne()
+void ListingErrors::errorWithACreatureIsReported()
 {
     QFETCH(QString, line);
     QFETCH(QString, sentence);
@@ -67,7 +67,7 @@ void ListingErrors::mistakeWithACreatureSaysWhichOne()
     QCOMPARE(QString::fromStdString(error->sentence), sentence);
 }
 
-void ListingErrors::mistakeWithATreeOrAStickSaysWhichOne_data()
+void ListingErrors::errorWithATreeOrAStickIsReported_data()
 {
     QTest::addColumn<bool>("hasTree");
     QTest::addColumn<QString>("line");
@@ -90,7 +90,7 @@ void ListingErrors::mistakeWithATreeOrAStickSaysWhichOne_data()
         << false << "sticks[1].b.position.x = sqrt(-1);" << notFinite("The position of sticks[1].b");
 }
 
-void ListingErrors::mistakeWithATreeOrAStickSaysWhichOne()
+void ListingErrors::errorWithATreeOrAStickIsReported()
 {
     QFETCH(bool, hasTree);
     QFETCH(QString, line);
@@ -184,7 +184,7 @@ void ListingErrors::errorLeavesTheStateUnchanged()
     QVERIFY(sim::sameBits(bench.state, before));
 }
 
-void ListingErrors::errorHasTheValuesThatLedThere()
+void ListingErrors::errorHasTheValuesOfItsVariables()
 {
     Bench bench("double g = 1.5;\n"
                 "void step(Body me, int n)\n{\n    Vec2 d(n, 2 * n);\n    feet[n].velocity += d;\n}\n" +

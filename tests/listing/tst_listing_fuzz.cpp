@@ -125,7 +125,7 @@ private slots:
     void mutatedListingsNeitherCrashNorHang();
     void mutatedRulesNeitherCrashNorHang_data() { addRows(); }
     void mutatedRulesNeitherCrashNorHang();
-    void enoughOfThemCompile();
+    void enoughMutationsCompile();
     void deepNestingEndsInAProgramOrAMistake_data();
     void deepNestingEndsInAProgramOrAMistake();
 
@@ -177,7 +177,7 @@ void ListingFuzz::checkRow(const OriginalOf &original, const Check &check)
     }
 }
 
-/// None hangs. Processor time: others share the machine.
+/// No listing hangs. Measures processor time, because other programs share the machine.
 void ListingFuzz::checkTime(std::clock_t begin)
 {
     const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -258,8 +258,8 @@ void ListingFuzz::checkFrames(const listing::Program &program, const sim::Scene 
     QVERIFY(program.trace(scene.start, binding).lines.size() <= 10'000);
 }
 
-/// Otherwise the test above would say little.
-void ListingFuzz::enoughOfThemCompile()
+/// Makes sure that the tests above also run mutated programs.
+void ListingFuzz::enoughMutationsCompile()
 {
     qInfo("%u of %u compiled, %u stopped with an error, the slowest took %.0f ms", m_built, m_count, m_failed,
           1e3 * m_slowest);

@@ -151,8 +151,8 @@ class ListingLessons : public QObject
 private slots:
     void computesTheBitsOfPublished_data();
     void computesTheBitsOfPublished();
-    void isShort_data() { addRows(false); }
-    void isShort();
+    void listingIsShort_data() { addRows(false); }
+    void listingIsShort();
 
 private:
     static void addRows(bool withInputs);
@@ -216,7 +216,7 @@ void ListingLessons::computesTheBitsOfPublished()
     }
 }
 
-void ListingLessons::isShort()
+void ListingLessons::listingIsShort()
 {
     QFETCH(QString, lesson);
     QFETCH(QString, id);

@@ -47,11 +47,11 @@ class ListingMethodSuite : public QObject
     Q_OBJECT
 
 private slots:
-    void goingBackIsExact();
+    void seekingBackIsExact();
     void parameterReachesTheProgramFromItsFrameOn();
     void changedPastIsComputedAgain();
-    void handThrowsABodyThatTheListingLetsGo();
-    void listingWithoutAnIfIgnoresTheHand();
+    void releasedBodyKeepsTheVelocityOfTheHand();
+    void listingThatDoesNotReadTheHandIgnoresIt();
     void runEndsBeforeTheFrameWithAnError();
     void cursorStopsBeforeThePhase();
     void restingRunSleeps();
@@ -60,7 +60,7 @@ private slots:
     void missingMemoryIsInitialised();
 };
 
-void ListingMethodSuite::goingBackIsExact()
+void ListingMethodSuite::seekingBackIsExact()
 {
     sim::Track track(scriptOf(clockListing),
                      0); // only the initial state is kept, so seeking back computes again
@@ -95,7 +95,7 @@ void ListingMethodSuite::changedPastIsComputedAgain()
     QCOMPARE(track.state().positionOf(0).x, 3 * 0.25 + 7 * 1.0);
 }
 
-void ListingMethodSuite::handThrowsABodyThatTheListingLetsGo()
+void ListingMethodSuite::releasedBodyKeepsTheVelocityOfTheHand()
 {
     sim::Script script =
         scriptOf(fileText("lessons/single_spring/drag.code").replace(0, 0, "const double damp = 0.5;\n"));
@@ -112,7 +112,7 @@ void ListingMethodSuite::handThrowsABodyThatTheListingLetsGo()
     QVERIFY(track.state().positionOf(0) == (Vec2{140, 96}));
 }
 
-void ListingMethodSuite::listingWithoutAnIfIgnoresTheHand()
+void ListingMethodSuite::listingThatDoesNotReadTheHandIgnoresIt()
 {
     sim::Script script = scriptOf(frameOf("foot.position.x += 1;"));
     script.input = {{2, sim::Grab{"foot"}}, {3, sim::Move{{300, 300}}}};

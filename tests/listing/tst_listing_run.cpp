@@ -37,15 +37,15 @@ private slots:
     void gustIsInTheState();
     void stickJoinsTwoBodies();
     void stickVariableStandsForTheStick();
-    void beforeIsWhereTheFrameBegan();
-    void directionHasLengthOneEvenOnTheSpot();
+    void beforeIsThePositionAtTheStartOfTheFrame();
+    void directionOfCoincidentPointsHasLengthOne();
     void directionOfABranchIsWhereItPoints();
-    void newTargetsAreThoseOfTheFrame();
+    void newTargetsAreTheTargetsOfThisFrame();
     void vectorsAndNumbersArePassedByValue();
     void functionThatCallsItselfComputesFactorials();
     void inputReachesTheProgram();
-    void handIsApartFromThePointer();
-    void heldBodyIsWhereItWasBeforeTheHandMovedIt();
+    void handAndPointerAreSeparate();
+    void heldBodyHasItsPositionBeforeTheDrag();
     void randomDependsOnSeedFrameAndIndexOnly();
     void handleAndBodyHaveTheirMassAndRadius();
 };
@@ -308,7 +308,7 @@ void ListingRun::stickVariableStandsForTheStick()
     QCOMPARE(bench.state.positionOf(2).y, 5.0);
 }
 
-void ListingRun::beforeIsWhereTheFrameBegan()
+void ListingRun::beforeIsThePositionAtTheStartOfTheFrame()
 {
     Bench bench =
         Bench::ofFrame("body.position += Vec2(3, 4);\nbody.velocity = body.position - body.before;\n"
@@ -321,7 +321,7 @@ void ListingRun::beforeIsWhereTheFrameBegan()
     QVERIFY(bench.state.velocityOf(3) == (Vec2{3, 4}));
 }
 
-void ListingRun::directionHasLengthOneEvenOnTheSpot()
+void ListingRun::directionOfCoincidentPointsHasLengthOne()
 {
     Bench bench = Bench::ofFrame("feet[0].velocity = direction(feet[0], Vec2(3, 4));\n"
                                  "feet[1].velocity = direction(feet[1], body);\n"
@@ -351,7 +351,7 @@ void ListingRun::directionOfABranchIsWhereItPoints()
     QVERIFY(isNear(bench.state.velocityOf(2), {std::sqrt(0.75), 0.5}));
 }
 
-void ListingRun::newTargetsAreThoseOfTheFrame()
+void ListingRun::newTargetsAreTheTargetsOfThisFrame()
 {
     Bench bench = Bench::ofFrame("body.velocity = Vec2();\nfor (int i = 0; i < new_targets.count; i++)\n"
                                  "    body.velocity += (i + 1) * new_targets[i];");
@@ -399,7 +399,7 @@ void ListingRun::inputReachesTheProgram()
     QVERIFY(bench.state.positionOf(2) == (Vec2{1, 42}));
 }
 
-void ListingRun::handIsApartFromThePointer()
+void ListingRun::handAndPointerAreSeparate()
 {
     Bench bench = Bench::ofFrame("feet[0].position = hand; feet[1].position = pointer;\n"
                                  "feet[2].position = Vec2(pointer_down ? 1 : 0, pointer_known ? 1 : 0);");
@@ -416,7 +416,7 @@ void ListingRun::handIsApartFromThePointer()
     QVERIFY(bench.state.positionOf(2) == (Vec2{0, 1})); // a hand that holds a body does not press the button
 }
 
-void ListingRun::heldBodyIsWhereItWasBeforeTheHandMovedIt()
+void ListingRun::heldBodyHasItsPositionBeforeTheDrag()
 {
     Bench bench =
         Bench::ofFrame("if (body.held) { body.velocity = hand - body.position; body.position = hand; }\n"

@@ -46,7 +46,7 @@ private slots:
     void lastBraceSeesTheVariablesOfItsFunction();
     void innerVariableHidesNothingOutsideItsBlock();
     void loopsCountTheirTurns();
-    void aLoopThatRunsTwiceCountsFromItsStart();
+    void secondRunOfALoopCountsFromOne();
     void recursionHasItsDepth();
     void traceEndsWithTheError();
     void traceKeepsABoundedNumberOfLines();
@@ -182,7 +182,7 @@ void ListingTrace::loopsCountTheirTurns()
     QCOMPARE(at7, (QStringList{"3: 2 of 3, 6: 1 of 1", "3: 3 of 3, 6: 1 of 2", "3: 3 of 3, 6: 2 of 2"}));
 }
 
-void ListingTrace::aLoopThatRunsTwiceCountsFromItsStart()
+void ListingTrace::secondRunOfALoopCountsFromOne()
 {
     Bench bench("void f(int n)\n{\n    do\n    {\n        n--;\n    } while (n > 0);\n}\n" +
                 frameOf("f(2);\nf(3);"));

@@ -17,8 +17,8 @@ class ListingVariables : public QObject
 private slots:
     void globalsAreInTheState();
     void globalsBeginWithTheParametersOfTheFirstFrame();
-    void globalsSurviveThatACreatureLeaves();
-    void globalsSurviveThatAStickLeaves();
+    void globalsSurviveTheRemovalOfACreature();
+    void globalsSurviveTheRemovalOfAStick();
     void localsAreInitialisedInEveryFrame();
 };
 
@@ -51,7 +51,7 @@ void ListingVariables::globalsBeginWithTheParametersOfTheFirstFrame()
     QCOMPARE(bench.body().x, 4.0);
 }
 
-void ListingVariables::globalsSurviveThatACreatureLeaves()
+void ListingVariables::globalsSurviveTheRemovalOfACreature()
 {
     const std::string text =
         "double way = creatures[2].gait;\n" + frameOf("way += 1; creatures[0].gait = way;");
@@ -66,7 +66,7 @@ void ListingVariables::globalsSurviveThatACreatureLeaves()
     QCOMPARE(second.state.gait[0], 4.0);
 }
 
-void ListingVariables::globalsSurviveThatAStickLeaves()
+void ListingVariables::globalsSurviveTheRemovalOfAStick()
 {
     const std::string text = "double way = sticks[1].length + points[1].position.x;\n" +
                              frameOf("way += 1; points[0].position.x = way; sticks[0].b.position.y = way;");

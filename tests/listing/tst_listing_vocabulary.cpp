@@ -1,4 +1,4 @@
-// The names that a listing can use: those of every scene, and those of creatures, branches and sticks.
+// The names that a listing can use: the common ones, and the ones of creatures, branches and sticks.
 
 #include "app/listing/program.h"
 #include "tests/listing/listing_support.h"
@@ -17,11 +17,11 @@ private slots:
     void vocabularyFollowsTheNamesOfTheScene();
     void reservedNamesAreLeftOutOfTheVocabulary();
     void creaturesAreInTheVocabulary();
-    void mistakeWithCreaturesIsSaidInOneSentence_data();
-    void mistakeWithCreaturesIsSaidInOneSentence();
+    void mistakeWithCreaturesIsReportedInOneSentence_data();
+    void mistakeWithCreaturesIsReportedInOneSentence();
     void branchesAndSticksAreInTheVocabulary();
-    void mistakeWithBranchesOrSticksIsSaidInOneSentence_data();
-    void mistakeWithBranchesOrSticksIsSaidInOneSentence();
+    void mistakeWithBranchesOrSticksIsReportedInOneSentence_data();
+    void mistakeWithBranchesOrSticksIsReportedInOneSentence();
 };
 
 void ListingVocabulary::everyNameOfTheVocabularyCompiles()
@@ -87,7 +87,7 @@ void ListingVocabulary::creaturesAreInTheVocabulary()
     QVERIFY((binding.creatures[1].feet == std::vector<int>{3, 4}));
 }
 
-void ListingVocabulary::mistakeWithCreaturesIsSaidInOneSentence_data()
+void ListingVocabulary::mistakeWithCreaturesIsReportedInOneSentence_data()
 {
     QTest::addColumn<QString>("line");
     QTest::addColumn<QString>("error");
@@ -111,7 +111,7 @@ void ListingVocabulary::mistakeWithCreaturesIsSaidInOneSentence_data()
         "3:12+5 'floor' is a double here, not a function. To multiply, write '*'.");
 }
 
-void ListingVocabulary::mistakeWithCreaturesIsSaidInOneSentence()
+void ListingVocabulary::mistakeWithCreaturesIsReportedInOneSentence()
 {
     QFETCH(QString, line);
     QFETCH(QString, error);
@@ -133,7 +133,7 @@ void ListingVocabulary::branchesAndSticksAreInTheVocabulary()
     QVERIFY(!ofFeet.hasTree && !ofFeet.hasGust && !ofFeet.hasSticks);
 }
 
-void ListingVocabulary::mistakeWithBranchesOrSticksIsSaidInOneSentence_data()
+void ListingVocabulary::mistakeWithBranchesOrSticksIsReportedInOneSentence_data()
 {
     QTest::addColumn<bool>("hasTree");
     QTest::addColumn<QString>("line");
@@ -171,7 +171,7 @@ void ListingVocabulary::mistakeWithBranchesOrSticksIsSaidInOneSentence_data()
         "3:1+10 There is no 'gust_front'. This scene has points and sticks, and the number k.");
 }
 
-void ListingVocabulary::mistakeWithBranchesOrSticksIsSaidInOneSentence()
+void ListingVocabulary::mistakeWithBranchesOrSticksIsReportedInOneSentence()
 {
     QFETCH(bool, hasTree);
     QFETCH(QString, line);

@@ -1,4 +1,4 @@
-// How a learner reads, and what the mouse does in the picture.
+// A learner who reads, and uses the mouse in the picture.
 
 #include "tests/app/by_hand/learner.h"
 
@@ -165,7 +165,7 @@ void Learner::press(QPoint place)
 {
     m_pointer = place;
     m_isDown = true;
-    // As the press of a real mouse does.
+    // A press of a real mouse activates the window and sets the focus, too.
     if (!m_window.isActiveWindow())
         QApplication::setActiveWindow(&m_window);
     m_view.viewport()->setFocus(Qt::MouseFocusReason);

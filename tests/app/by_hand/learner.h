@@ -29,7 +29,7 @@ public:
     /// The thing to try of the open step that is looked at; begins the step afresh.
     void begin(std::size_t number);
 
-    // What there is to read
+    // Reading
     /// Clicks a lesson in the list of lessons.
     void openLesson(const QString &title);
     /// Clicks a step of the open lesson.
@@ -39,7 +39,7 @@ public:
     QStringList hints();
     /// Unfolds all why-boxes, and returns the answers.
     QStringList answers();
-    /// Whether a thing to try shows its tick.
+    /// Returns whether a thing to try shows its tick.
     bool sees(std::size_t number) const;
     void pressNext();
 
@@ -71,7 +71,7 @@ private:
     void press(QPoint place);
     void move(QPoint place);
     void releaseButton();
-    /// Before the mouse does something elsewhere, and after a menu or a list was open.
+    /// leavePicture() is called before the mouse is used elsewhere, comeBack() after a menu or a list was open.
     void leavePicture();
     void comeBack();
     void bringIntoView(const std::string &body);

@@ -1,4 +1,4 @@
-// What a learner does with keys, buttons, menus and fields.
+// A learner's actions with keys, buttons, menus and fields.
 
 #include "app/ui/parameters/number_box.h"
 #include "app/ui/parameters/parameter_panel.h"
@@ -58,7 +58,7 @@ void Learner::leavePicture()
 
 void Learner::comeBack()
 {
-    // Where there are no real windows, one that has closed over another leaves it inactive.
+    // Without a window manager, closing a window does not activate the window below it.
     QApplication::setActiveWindow(&m_window);
     settle();
 }
@@ -81,7 +81,7 @@ void Learner::step(bool byPhase)
     if (m_session.playback().isPlaying() && m_session.step().accepts(lessons::Interaction::keys))
         QTest::keyClick(&m_view,
                         Qt::Key_Space); // a hand has started time, and the arrow keys steer while it runs
-    // With the mouse only where the picture does not have the keys.
+    // The mouse is used only if the picture does not have the focus.
     if (m_isDown || m_view.hasFocus()) {
         QTest::keyClick(&m_view, Qt::Key_Right, byPhase ? Qt::ShiftModifier : Qt::NoModifier);
     } else {
@@ -131,7 +131,7 @@ void Learner::key(bool sim::Keys::*key, bool down)
         QTest::keyClick(&m_view, Qt::Key_Space);
 }
 
-/// Takes item `row` of a menu that has a submenu for each kind, by keys.
+/// Chooses item `row` of a menu that has a submenu for each kind, by keys.
 static void chooseByKind(QMenu &menu, int row)
 {
     for (QAction *group : menu.actions()) {

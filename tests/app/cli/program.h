@@ -9,7 +9,7 @@
 /// The real program, as a shell would start it, without any display.
 namespace program {
 
-/// What a process answered; `code` is -1 if it crashed or never ended.
+/// The output and exit code of a process; `code` is -1 if it crashed or never ended.
 struct Answer
 {
     int code = -1;
@@ -22,7 +22,7 @@ Answer runProcess(const QString &file, const QStringList &arguments, const QStri
 Answer springstep(const QStringList &arguments);
 /// Returns the JSON object that a process wrote to its standard output; empty if it wrote none.
 QJsonObject json(const Answer &answer);
-/// What a shell makes of `command`, in which $P is the program.
+/// Runs `command` in a shell, in which $P is the program.
 Answer shell(const QString &command);
 /// Writes an experiment of the step with any number of feet into `folder`; `fields` begin on line 5.
 QString fileWith(const QString &folder, const QString &fields);
@@ -30,7 +30,7 @@ QString fileWith(const QString &folder, const QString &fields);
 void compareTrajectories(const QString &trace, const QString &expected);
 /// Waits until the process handles SIGINT, and sends it. Returns whether the process then ended normally.
 bool interrupt(QProcess &process);
-/// Whether `text` is one sentence.
+/// Returns whether `text` is one sentence.
 bool isOneLine(const QString &text);
 /// Fails unless the program refused its arguments: one sentence on standard error, nothing else, and exit code 2.
 void checkRefusal(const Answer &answer);

@@ -1,5 +1,5 @@
-// The program under attack, as a shell starts it: hardly any memory, files that mean to be too much, names that steer a
-// terminal, work that would take for ever.
+// The program under attack, as a shell starts it: very little memory, files that are too large on purpose, names that
+// contain control characters, and work that would take for ever.
 
 #include "tests/app/cli/program.h"
 #include "tests/sizes.h"
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int mebi = 1 << 20;
 
-/// What the program answers with `mebibytes` of address space.
+/// Returns the output of the program with `mebibytes` of address space.
 Answer within(int mebibytes, const QStringList &arguments)
 {
     QProcess process;
@@ -65,7 +65,7 @@ public:
         ::close(m_terminal);
     }
 
-    /// All that was shown so far.
+    /// Returns everything that was shown so far.
     const QByteArray &shown()
     {
         char piece[4096];
@@ -73,7 +73,7 @@ public:
             m_shown.append(piece, count);
         return m_shown;
     }
-    /// What stands on the line where the cursor is, at the end.
+    /// Returns the last line, where the cursor is.
     QByteArray left()
     {
         const QByteArray all = shown();
@@ -126,14 +126,14 @@ class AttackTest : public QObject
     Q_OBJECT
 
 private slots:
-    void withoutMemoryItEndsWithASentence_data();
-    void withoutMemoryItEndsWithASentence();
-    void aFileThatHoldsTooMuchIsRefusedInLittleMemory_data();
-    void aFileThatHoldsTooMuchIsRefusedInLittleMemory();
+    void runningOutOfMemoryGivesOneErrorLine_data();
+    void runningOutOfMemoryGivesOneErrorLine();
+    void tooLargeExperimentIsRefusedInLimitedMemory_data();
+    void tooLargeExperimentIsRefusedInLimitedMemory();
     void namesDoNotSteerTheTerminal_data();
     void namesDoNotSteerTheTerminal();
-    void longWorkTellsHowFarItIsAndStops_data();
-    void longWorkTellsHowFarItIsAndStops();
+    void longWorkShowsProgressAndCanBeInterrupted_data();
+    void longWorkShowsProgressAndCanBeInterrupted();
 
 private:
     QString fileWith(const char *name, const QByteArray &text)
@@ -156,7 +156,7 @@ private:
     int m_least = 0;
 };
 
-void AttackTest::withoutMemoryItEndsWithASentence_data()
+void AttackTest::runningOutOfMemoryGivesOneErrorLine_data()
 {
     QTest::addColumn<QByteArray>("text");
     const QByteArray start =
@@ -176,7 +176,7 @@ void AttackTest::withoutMemoryItEndsWithASentence_data()
     QTest::newRow("a crowd") << crowd(1000, ", \"method\": \"backward_euler\", \"frames\": 2");
 }
 
-void AttackTest::withoutMemoryItEndsWithASentence()
+void AttackTest::runningOutOfMemoryGivesOneErrorLine()
 {
     if (tests::isSanitized)
         QSKIP("AddressSanitizer wants terabytes of address space");
@@ -194,10 +194,10 @@ void AttackTest::withoutMemoryItEndsWithASentence()
         QVERIFY2(answer.code == 0 ? answer.err.isEmpty() : isOneLine(answer.err), told);
         without += answer.err.contains("not enough memory") ? 1 : 0;
     }
-    QVERIFY(without > 0); // else nothing was tried
+    QVERIFY(without > 0); // otherwise nothing was tested
 }
 
-void AttackTest::aFileThatHoldsTooMuchIsRefusedInLittleMemory_data()
+void AttackTest::tooLargeExperimentIsRefusedInLimitedMemory_data()
 {
     QTest::addColumn<QByteArray>("piece");
     QTest::addColumn<QString>("sentence");
@@ -209,7 +209,7 @@ void AttackTest::aFileThatHoldsTooMuchIsRefusedInLittleMemory_data()
     QTest::newRow("bytes") << QByteArray(1000, ' ') << "larger than 32 MiB";
 }
 
-void AttackTest::aFileThatHoldsTooMuchIsRefusedInLittleMemory()
+void AttackTest::tooLargeExperimentIsRefusedInLimitedMemory()
 {
     if (tests::isSanitized)
         QSKIP("AddressSanitizer wants terabytes of address space");
@@ -273,7 +273,7 @@ void AttackTest::namesDoNotSteerTheTerminal()
         QVERIFY2(c.isPrint() && c.category() != QChar::Separator_Line, qPrintable(answer.err));
 }
 
-void AttackTest::longWorkTellsHowFarItIsAndStops_data()
+void AttackTest::longWorkShowsProgressAndCanBeInterrupted_data()
 {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QByteArray>("progress");
@@ -297,7 +297,7 @@ void AttackTest::longWorkTellsHowFarItIsAndStops_data()
     row("hardcases", {"hardcases", "--full"}, "%", "Stopped before the end.");
 }
 
-void AttackTest::longWorkTellsHowFarItIsAndStops()
+void AttackTest::longWorkShowsProgressAndCanBeInterrupted()
 {
     QFETCH(QStringList, arguments);
     QFETCH(QByteArray, progress);

@@ -34,7 +34,7 @@ QJsonObject effectOf(const QJsonObject &report, const QString &id)
 
 }
 
-/// `springstep cost`: what it says, in all its forms. What it measures is no test's to judge: tst_instructions counts.
+/// `springstep cost`: its output in all formats. Times cannot be tested here; tst_instructions counts instructions.
 class TestCostCli : public QObject
 {
     Q_OBJECT
@@ -107,7 +107,7 @@ private slots:
             QCOMPARE(off[QLatin1String(number)].toDouble(-1.0), 0.0);
     }
 
-    void aToleranceStandsInPlaceOfTheStep()
+    void reportHasAToleranceInsteadOfAStep()
     {
         const QTemporaryDir folder;
         const QString path = fileWith(folder.path(), "\"method\": \"dormand_prince\", \"tolerance\": 0.01");

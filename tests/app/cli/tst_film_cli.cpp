@@ -25,11 +25,11 @@ private slots:
     void numbersHaveTheDigitsThatTheHelpSays();
     void badUseIsOneSentenceAndCodeTwo_data();
     void badUseIsOneSentenceAndCodeTwo();
-    void aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo();
-    void aRunThatStopsMakesAPageUpToThere();
+    void filmOfAStoppedRunEndsAtItsLastFrameWithExitCode1();
+    void pageOfAStoppedRunIsWrittenWithExitCode1();
     void codeThatStopsARunIsNamedWithItsLine();
-    void interruptedItLeavesNoHalfFile_data();
-    void interruptedItLeavesNoHalfFile();
+    void interruptingLeavesNoPartialFile_data();
+    void interruptingLeavesNoPartialFile();
 
 private:
     QTemporaryDir m_folder;
@@ -149,7 +149,7 @@ void FilmCliTest::badUseIsOneSentenceAndCodeTwo()
     QCOMPARE(there("x*"), QStringList());
 }
 
-void FilmCliTest::aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo()
+void FilmCliTest::filmOfAStoppedRunEndsAtItsLastFrameWithExitCode1()
 {
     const QString from = file("\"method\": \"explicit_euler\", \"parameters\": {\"k\": 1, \"damp\": 1}, "
                               "\"frames\": 100000");
@@ -165,7 +165,7 @@ void FilmCliTest::aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo()
     QVERIFY(QFile::exists(out(qPrintable(QString("d_%1.png").arg(last)))));
 }
 
-void FilmCliTest::aRunThatStopsMakesAPageUpToThere()
+void FilmCliTest::pageOfAStoppedRunIsWrittenWithExitCode1()
 {
     const QString from = file("\"method\": \"explicit_euler\", \"parameters\": {\"k\": 1, \"damp\": 1}, "
                               "\"frames\": 90000");
@@ -190,14 +190,14 @@ void FilmCliTest::codeThatStopsARunIsNamedWithItsLine()
     QCOMPARE(there("f_*").size(), 6);
 }
 
-void FilmCliTest::interruptedItLeavesNoHalfFile_data()
+void FilmCliTest::interruptingLeavesNoPartialFile_data()
 {
     QTest::addColumn<QString>("name");
     QTest::newRow("GIF") << "e.gif";
     QTest::newRow("PNG") << "e_%d.png";
 }
 
-void FilmCliTest::interruptedItLeavesNoHalfFile()
+void FilmCliTest::interruptingLeavesNoPartialFile()
 {
     QFETCH(QString, name);
     QProcess process;

@@ -32,7 +32,7 @@ QJsonObject rowOf(const QJsonArray &all, const QString &method)
 
 }
 
-/// `springstep hardcases`: what it says, in all its forms.
+/// `springstep hardcases`: its output in all formats.
 class TestHardCasesCli : public QObject
 {
     Q_OBJECT
@@ -74,7 +74,7 @@ private slots:
             QVERIFY(row["claims"].isBool() && row["holds"].isBool() && row["why"].isString());
             QVERIFY(row["frames"].isDouble());
             QCOMPARE(row["ns_per_frame"].isNull(), row["frames"].toInt() == 0);
-            // What is claimed and holds needs no words; all else has a sentence.
+            // Every case has a sentence, unless it is claimed and holds.
             const bool isPlain = row["claims"].toBool() && row["holds"].toBool();
             QVERIFY2(isPlain ? row["why"].toString().isEmpty() : row["why"].toString().endsWith('.'),
                      qPrintable(row["why"].toString()));
@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(methods.size(), all.size());
     }
 
-    void aStiffSpringIsHeldByThoseThatClaimIt()
+    void stiffSpringIsStableWithTheMethodsThatClaimIt()
     {
         const QJsonArray all = rows(springstep({"hardcases", "--case", "stiffness_1e9", "--json"}));
         for (const char *method : {"backward_euler", "tr_bdf2"}) {
@@ -98,7 +98,7 @@ private slots:
         }
     }
 
-    void aRefusalHoldsWithoutAFrame()
+    void caseWithRefusedInputHoldsWithoutARun()
     {
         const Answer answer = springstep({"hardcases", "--case", "hand_not_a_number", "--json"});
         QCOMPARE(answer.code, 0);

@@ -14,7 +14,7 @@
 
 using namespace program;
 
-/// `springstep trace`: every row of every run, and every way in which a run ends.
+/// `springstep trace`: the rows of a run, and every way in which a run can end.
 class TestTrace : public QObject
 {
     Q_OBJECT
@@ -61,7 +61,7 @@ private slots:
                                       .arg(0.25 * n));
     }
 
-    void rowsStandAtMultiplesOfTheStep_data()
+    void rowsAreAtMultiplesOfTheStep_data()
     {
         QTest::addColumn<QString>("fields");
         QTest::addColumn<QStringList>("frames");
@@ -72,7 +72,7 @@ private slots:
         QTest::newRow("a step longer than the run") << "\"frames\": 7, \"h\": 100" << QStringList{"0"};
     }
 
-    void rowsStandAtMultiplesOfTheStep()
+    void rowsAreAtMultiplesOfTheStep()
     {
         QFETCH(QString, fields);
         QFETCH(QStringList, frames);
@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(answer.out.count('\n'), 1 + 6 * frames.size()); // five feet and the body
     }
 
-    void rowsListTheBodiesOfTheirTime()
+    void eachFrameHasOneRowPerBodyInTheScene()
     {
         const Answer answer = springstep(
             {"trace",
@@ -102,7 +102,7 @@ private slots:
         QCOMPARE(lastFrames, QStringList({"6", "3", "7"}));
     }
 
-    void aRunThatStopsBeingFiniteIsAnswered1()
+    void nonFiniteRunExitsWithCode1()
     {
         const Answer answer =
             springstep({"trace", fileWith("\"frames\": 100000, \"parameters\": {\"feet\": 60, \"k\": 1}")});
@@ -120,7 +120,7 @@ private slots:
         QVERIFY(!answer.out.contains("nan") && !answer.out.contains("inf"));
     }
 
-    void aRunThatNeedsTooManyStepsIsAnswered1()
+    void runWithTooManyStepsExitsWithCode1()
     {
         const Answer answer = springstep(
             {"trace", fileWith("\"frames\": 100, \"method\": \"dormand_prince\", \"tolerance\": 1e-9, "
@@ -136,7 +136,7 @@ private slots:
         QCOMPARE(answer.out.trimmed().section('\n', -1).section(',', 0, 1), match.captured(1) + ",body");
     }
 
-    void aReaderThatGoesAwayEndsTheRunQuietly()
+    void closedPipeEndsTheRunQuietly()
     {
         const Answer answer =
             shell("$P trace '" + fileWith("\"frames\": 10000000") + "' | head -n 3; exit ${PIPESTATUS[0]}");
@@ -145,7 +145,7 @@ private slots:
         QCOMPARE(answer.out.count('\n'), 3);
     }
 
-    void aFullDiskIsSaid()
+    void fullDiskIsReported()
     {
         const Answer answer = shell("$P trace '" + fileWith("\"frames\": 3") + "' > /dev/full");
         QCOMPARE(answer.code, 2);
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(german.out, plain.out);
     }
 
-    void anExperimentComesThroughAPipe()
+    void experimentCanBeReadFromAPipe()
     {
         const QString file = TEST_DATA "/published/two_body-mutual.json";
         const Answer answer = shell("$P trace <(cat " + file + ")");

@@ -8,12 +8,12 @@
 
 #include <functional>
 
-/// What the suites of breakpoints share.
+/// Shared by the suites of breakpoints.
 namespace breakpoints_support {
 
 using namespace listing_support;
 
-/// How the session is made to go on until it stops.
+/// The command that makes the session continue until it stops.
 enum class Way { play, frames, runTo };
 
 using Question = std::function<bool(const sim::Timeline &)>;
@@ -80,7 +80,7 @@ struct Fixture
             while (!session.playback().breakHit() && at().frame <= frame);
         }
     }
-    /// All stops up to `frame`; each must have the bits of a run that goes straight there.
+    /// Returns all stops up to `frame`. Each must have the bits of a straight run.
     std::vector<sim::Cursor> stops(Way way, std::int64_t frame)
     {
         std::vector<sim::Cursor> all;

@@ -19,7 +19,7 @@ using namespace app;
 
 using listing_support::library;
 
-/// Whether the settings of an earlier window are kept.
+/// Says whether the settings of an earlier window are kept.
 enum class Settings { fresh, kept };
 
 /// The code panel in a window of its own.

@@ -11,7 +11,7 @@
 
 #include <QTest>
 
-/// What the suites of the shown code share.
+/// Shared by the suites of the shown code.
 namespace listing_support {
 
 using namespace app;
@@ -39,7 +39,7 @@ inline CodeListing listingOf(const lessons::Step &step, const sim::Timeline &run
     return app::listingOf(step, run.track().interval(), *run.script().method);
 }
 
-/// Whether `method` can compute `step`: those that need more than forces refuse some.
+/// Returns whether `method` can compute `step`. Methods with requirements refuse some steps.
 inline bool fits(const lessons::Step &step, const sim::MethodPtr &method)
 {
     sim::Script script = step.script();

@@ -58,13 +58,13 @@ constexpr const char *falls = "Vec2 pull = {0, gravity}";
 
 }
 
-/// Breakpoints, as they are set and kept in the panel.
+/// Setting and editing breakpoints in the panel.
 class TestCodeStops : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void aClickInTheMarginSetsAndTakesAStop()
+    void clickInTheMarginTogglesABreakpoint()
     {
         Stopped shown;
         QVERIFY(!shown.isRed(falls));
@@ -80,7 +80,7 @@ private slots:
         QVERIFY(!shown.isRed(falls));
     }
 
-    void f9DoesTheSame()
+    void f9TogglesABreakpoint()
     {
         Stopped shown;
         shown.view().showPlace(shown.view().placeOf(shown.row(falls)));
@@ -110,7 +110,7 @@ private slots:
             shown.session.playback().breakHit()->sentence.startsWith("Stopped at frame 3 before damping: "));
     }
 
-    void aConditionThatMakesNoSenseIsRefusedAndStays()
+    void invalidConditionIsRefusedAndStaysInItsField()
     {
         Stopped shown;
         shown.type("foot9.y > 380");
@@ -203,7 +203,7 @@ private slots:
         QVERIFY(sim::sameBits(shown.session.timeline().state(), search.state()));
     }
 
-    void readersAreToldWhatEachIs()
+    void screenReadersGetANameForEachControl()
     {
         Stopped shown;
         shown.clickMargin(falls);

@@ -5,7 +5,7 @@
 
 using namespace breakpoints_support;
 
-/// Where runs stop by themselves.
+/// Breakpoints, at which runs stop by themselves.
 class TestBreakpoints : public QObject
 {
     Q_OBJECT
@@ -13,7 +13,7 @@ class TestBreakpoints : public QObject
 private slots:
     void initTestCase() { QVERIFY(!library().lessons.empty()); }
 
-    void aConditionStopsWhereASearchFindsThatItComesTrue_data()
+    void conditionStopsTheRunWhenItBecomesTrue_data()
     {
         QTest::addColumn<Way>("way");
         QTest::addColumn<QString>("condition");
@@ -25,7 +25,7 @@ private slots:
                 QTest::addRow("%s, %s", name, text) << way << QString(text);
         }
     }
-    void aConditionStopsWhereASearchFindsThatItComesTrue()
+    void conditionStopsTheRunWhenItBecomesTrue()
     {
         QFETCH(Way, way);
         QFETCH(QString, condition);
@@ -64,8 +64,8 @@ private slots:
         QVERIFY(fixture.stops(way, 3) == expected);
     }
 
-    void aLineWithAConditionStopsWhereBothAreSo_data() { everyWay(); }
-    void aLineWithAConditionStopsWhereBothAreSo()
+    void lineWithAConditionStopsOnlyWhileTheConditionHolds_data() { everyWay(); }
+    void lineWithAConditionStopsOnlyWhileTheConditionHolds()
     {
         QFETCH(Way, way);
         Fixture fixture;
@@ -163,7 +163,7 @@ private slots:
                  QString("Stopped at frame 0 before walls: walls.h, line %1.").arg(place.line));
     }
 
-    void oneThatIsSwitchedOffOrTakenAwayStopsNothing()
+    void disabledOrDeletedBreakpointDoesNotStopTheRun()
     {
         Fixture fixture;
         Breakpoints &points = fixture.session.playback().breakpoints();
@@ -198,7 +198,7 @@ private slots:
         QCOMPARE(fixture.at(), (sim::Cursor{9, 0}));
     }
 
-    void aFarFrameIsStoppedAtAfterEverythingRests()
+    void breakpointAtADistantFrameStopsARestingRun()
     {
         Fixture fixture("single_spring", "radial");
         fixture.session.playback().breakpoints().add("frame == 30000 and phase == \"damping\"");
@@ -233,7 +233,7 @@ private slots:
         QVERIFY(fixture.session.timeline().isFinished());
     }
 
-    void aRunThatEndsByItselfEndsWhereItWould()
+    void unmetBreakpointDoesNotChangeTheEndOfARun()
     {
         Fixture fixture;
         fixture.session.editor().setMethod("explicit_euler");
@@ -250,7 +250,7 @@ private slots:
         QVERIFY(sim::sameBits(fixture.session.timeline().state(), straight.state()));
     }
 
-    void aConditionOnABodyThatIsGoneWaitsUntilItIsThere()
+    void conditionOnAMissingBodyWaitsUntilTheBodyExists()
     {
         Fixture fixture;
         fixture.session.editor().setParameter("feet", 6);
@@ -262,7 +262,7 @@ private slots:
         QCOMPARE(fixture.stops(Way::frames, 5).size(), std::size_t(1));
     }
 
-    void aParameterThatChangesOnTheWayIsReadAsItIs()
+    void conditionReadsTheCurrentValueOfAParameter()
     {
         Fixture fixture;
         fixture.session.playback().goTo({6, 0});
@@ -279,7 +279,7 @@ private slots:
         QCOMPARE(fixture.at(), (sim::Cursor{7, 0}));
     }
 
-    void eachStepKeepsItsOwn()
+    void eachLessonStepKeepsItsOwnBreakpoints()
     {
         Fixture fixture;
         fixture.session.playback().breakpoints().add("frame == 3");
@@ -292,7 +292,7 @@ private slots:
         QCOMPARE(fixture.stops(Way::frames, 5).size(), std::size_t(1));
     }
 
-    void stopsDoNotChangeTheRun()
+    void breakpointsDoNotChangeTheRun()
     {
         Fixture fixture;
         fixture.session.playback().breakpoints().add("foot0.y > 300");

@@ -54,8 +54,8 @@ private slots:
         }
     }
 
-    void everyShownLineStandsInItsFileUnderItsNumber_data() { everyStepAndMethod(); }
-    void everyShownLineStandsInItsFileUnderItsNumber()
+    void everyShownLineHasItsLineNumberInTheFile_data() { everyStepAndMethod(); }
+    void everyShownLineHasItsLineNumberInTheFile()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);
@@ -116,8 +116,8 @@ private slots:
         QCOMPARE(listing.sections[4].phases, (std::vector<int>{2, 5}));
     }
 
-    void nothingIsNewAgainstItself_data() { everyStepAndMethod(); }
-    void nothingIsNewAgainstItself()
+    void listingHasNoNewLinesComparedWithItself_data() { everyStepAndMethod(); }
+    void listingHasNoNewLinesComparedWithItself()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);
@@ -170,8 +170,8 @@ private slots:
         }
     }
 
-    void nothingIsGoneAgainstItself_data() { everyStepAndMethod(); }
-    void nothingIsGoneAgainstItself()
+    void listingHasNoRemovedLinesComparedWithItself_data() { everyStepAndMethod(); }
+    void listingHasNoRemovedLinesComparedWithItself()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);
@@ -184,7 +184,7 @@ private slots:
         QCOMPARE(empty.goneLines(), 0);
     }
 
-    /// With what is new taken out and what is gone put in, the lines of the step before are there again.
+    /// Without the new lines and with the removed ones, the listing has the lines of the step before.
     void removedAndUnchangedLinesAreTheStepBefore_data()
     {
         QTest::addColumn<QString>("lesson");
@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(kept(*listing), kept(*old));
     }
 
-    void aLineThatIsGoneStandsWhereItWas()
+    void removedLineIsShownAtItsFormerPosition()
     {
         const auto section = [](const QStringList &lines, const QString &file) {
             CodeSection made{CodeSection::Role::phase, "1 Springs", sim::EffectKind::spring, {0}, {}};
@@ -239,8 +239,7 @@ private slots:
     }
 
 private:
-    /// The lines that say something, each once however often it runs, without those that are new and with those that
-    /// are gone; sorted.
+    /// Returns the lines with contents, each once, without the new lines and with the removed ones, sorted.
     static QStringList kept(const CodeListing &listing)
     {
         static const QRegularExpression nothing("^[{};\\s)]*$");

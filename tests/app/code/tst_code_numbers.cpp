@@ -43,7 +43,7 @@ private slots:
         shown.drag(shown.middleOf(line, word), 40);
         QVERIFY(std::abs(shown.session.editor().parameter(parameter) - (before + 0.2 * width)) <=
                 std::pow(10.0, -one.decimals));
-        QCOMPARE(shown.at(), sim::Cursor{}); // it is no click
+        QCOMPARE(shown.at(), sim::Cursor{}); // a drag is not a click
         QCOMPARE(shown.session.editor().undoStack().count(), 1);
         shown.session.editor().undo();
         QCOMPARE(shown.session.editor().parameter(parameter), before);
@@ -54,7 +54,7 @@ private slots:
         QCOMPARE(shown.session.editor().undoStack().count(), 2); // another gesture
     }
 
-    void escapeGivesUpADrag()
+    void escapeCancelsADrag()
     {
         SteeringFixture shown;
         const QPoint from = shown.middleOf("gravity = values", "values");

@@ -9,7 +9,7 @@
 using namespace code_support;
 using namespace tests;
 
-/// The panel with the code that runs: values, buttons, and what it does while time runs.
+/// The panel with the code that runs: values, buttons, and its behaviour while the run plays.
 class TestCodePanel : public QObject
 {
     Q_OBJECT
@@ -89,7 +89,7 @@ private slots:
             QVERIFY(!shown.view().rowRect(shown.row("pull = k * d")).isEmpty());
             shown.click(shown.row("added up by the method", CodeRow::Kind::file));
             QVERIFY(!shown.view().rowRect(adds).isEmpty());
-            QVERIFY(shown.view().isQuiet(adds)); // pale all the same
+            QVERIFY(shown.view().isQuiet(adds)); // still pale
         }
         CodeFixture again("single_spring", "fixed_centre", Settings::kept);
         QVERIFY(!again.view().rowRect(again.row("force.add(")).isEmpty());
@@ -110,7 +110,7 @@ private slots:
         QVERIFY(!shown.view().isQuiet(shown.row("Scene scene"))); // the set-up is all to be read
     }
 
-    void aStopShowsNoValuesOfWhatItsLineDidBefore()
+    void breakpointShowsNoEarlierValueOfItsLine()
     {
         CodeFixture shown; // springs of the feet, then the same lines for the body
         const std::size_t row = shown.row("pull = k * d");
@@ -187,7 +187,7 @@ private slots:
         QVERIFY(shown.button("new")->isHidden());
     }
 
-    void linesThatAreGoneAreStruckThroughOnDemand()
+    void removedLinesAreShownOnDemand()
     {
         CodeFixture shown("single_spring", "radial");
         const int gone = shown.panel->listing().goneLines();
@@ -209,7 +209,7 @@ private slots:
         const CodeRow &row = shown.view().rows()[shown.view().row()];
         QVERIFY(row.kind == CodeRow::Kind::gone); // it goes to the first one
         QVERIFY(!shown.view().rowRect(shown.view().row()).isEmpty());
-        // What stands in the text is that line, and it is no line of the run: nothing runs to it.
+        // The text has the removed line. It is not part of the run, so no phase can run to it.
         QCOMPARE(shown.view().text(static_cast<int>(shown.view().row())).trimmed(), row.text.trimmed());
         QVERIFY(!shown.view().lineAt(shown.view().row()));
         QVERIFY(shown.view().chipText(shown.view().row()).isEmpty());
@@ -219,7 +219,7 @@ private slots:
         QCOMPARE(shown.view().rows().size(), rows.size());
     }
 
-    void linesThatAreGoneComeAndGoByKey()
+    void f8ShowsAndHidesRemovedLines()
     {
         CodeFixture shown("single_spring", "radial");
         shown.view().showPlace(shown.view().placeOf(shown.row("radius * out")));
@@ -296,7 +296,7 @@ private slots:
         QTRY_VERIFY(changes >= 5);
         shown.session.playback().pause();
         QVERIFY2(changes <= clock.elapsed() / 100 + 1, qPrintable(QString::number(changes)));
-        // Stopped, they are those of the moment at once.
+        // When the run stops, the values of that moment are shown at once.
         const sim::ComposedInterval &interval = shown.session.timeline().track().interval();
         const auto current =
             chipsOf(shown.panel->listing(), shown.session.presentation().explanations(), interval, 0);
@@ -333,7 +333,7 @@ private slots:
         QVERIFY(Activity().comesToRest(1200)); // longer than a cursor takes to blink
     }
 
-    void readersAreToldWhatItIs()
+    void screenReadersGetNamesForTheCodeAndItsButtons()
     {
         CodeFixture shown;
         QCOMPARE(shown.view().accessibleName(), QString("Code that runs"));

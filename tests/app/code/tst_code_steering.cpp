@@ -12,7 +12,7 @@
 using namespace steering_support;
 using namespace tests;
 
-/// What is done to the run, and asked of it, from the code itself.
+/// Commands and questions about the run that start in the code itself.
 class TestCodeSteering : public QObject
 {
     Q_OBJECT
@@ -50,7 +50,7 @@ private slots:
         QVERIFY(sim::sameBits(straight.state(), shown.session.timeline().state()));
     }
 
-    void aLineThatNoPhaseHasSaysSo()
+    void runningToALineOutsideThePhasesShowsAMessage()
     {
         SteeringFixture shown;
         QSignalSpy said(&shown.session.changes(), &ChangeNotifier::messageRequested);
@@ -70,7 +70,7 @@ private slots:
         QCOMPARE(shown.at(), sim::Cursor{});
     }
 
-    void aCardTellsWhatAWordStandsFor()
+    void cardShowsTheNameHistoryAndValueOfAWord()
     {
         SteeringFixture shown;
         for (int i = 0; i < 200; ++i)
@@ -135,7 +135,7 @@ private slots:
         QVERIFY(!shown.panel->card().isVisible());
     }
 
-    void aCardGoesWithWhoAskedForIt()
+    void cardClosesWhenTheCodeOrTheWindowBecomesInactive()
     {
         SteeringFixture shown;
         shown.session.playback().frameForward();
@@ -154,7 +154,7 @@ private slots:
         QVERIFY(!shown.panel->card().isVisible());
     }
 
-    void aParametersCardIsOfTheParameter()
+    void cardOfAParameterNamesTheParameter()
     {
         SteeringFixture shown;
         shown.hover(shown.middleOf("Vec2 pull = {0, gravity}", "gravity"));
@@ -163,7 +163,7 @@ private slots:
         QVERIFY(shown.panel->card().value().startsWith("0.5"));
     }
 
-    void nothingIsDrawnAgainWhileACardStands()
+    void openCardCausesNoRepaint()
     {
         SteeringFixture shown;
         shown.session.playback().frameForward();

@@ -31,7 +31,7 @@ std::vector<ParameterSpot> spotsOf(const lessons::Step &step, const sim::Timelin
     return parameterSpots(listingOf(step, run), step, run.track().interval());
 }
 
-/// The state with all points somewhere else, so that some are beyond each wall.
+/// Returns the state with all points moved, so that some are beyond each wall.
 sim::State anywhere(sim::State state, int number)
 {
     for (int i = 0; i < state.pointCount(); ++i) {
@@ -39,7 +39,7 @@ sim::State anywhere(sim::State state, int number)
         state.place(i, {1000.0 * share(0) - 200.0, 1000.0 * share(1) - 200.0});
         state.setVelocity(i, {40.0 * share(2) - 20.0, 40.0 * share(3) - 20.0});
     }
-    // For what is steered: at any speed, with one key down.
+    // Steered effects depend on the speed and on a pressed key.
     (number % 2 == 0 ? state.input.keys.left : state.input.keys.right) = true;
     for (double &speed : state.gaitSpeed)
         speed = 0.4 * sim::uniform(8, number, 0) - 0.2;
@@ -65,7 +65,7 @@ std::optional<CodeSymbol> symbolOf(const lessons::Step &step, const sim::Timelin
 
 }
 
-/// What the words of the shown code stand for, what they were, and what can be done from them.
+/// The symbols of the shown code: their meaning, their history, and the parameters that they set.
 class TestCodeSymbols : public QObject
 {
     Q_OBJECT
@@ -98,7 +98,7 @@ private slots:
         QTEST(namesOf(line), "names");
     }
 
-    void theSetUpsParametersAreFoundAndSoIsWhatTheyAreReadInto()
+    void parametersAndTheirVariablesAreFound()
     {
         const lessons::Step &step = stepOf("gravity_walls", "gravity");
         const sim::Timeline run = runOf(step);
@@ -120,7 +120,7 @@ private slots:
 
     void aNameThatTheCodeRecomputesIsNoParameter()
     {
-        // Here the parameter is called as what is left in one step.
+        // The code has a variable of the parameter's name as well: the share that is left after one step.
         const lessons::Step &step = stepOf("codeling", "motor");
         const sim::Timeline run = runOf(step);
         const CodeListing listing = listingOf(step, run);
@@ -215,8 +215,8 @@ private slots:
         QVERIFY(symbol->what.endsWith('.'));
     }
 
-    void everyWordOfEveryStepCanBeAskedFor_data() { everyStepAndMethod(); }
-    void everyWordOfEveryStepCanBeAskedFor()
+    void historyOfEverySymbolCanBeRead_data() { everyStepAndMethod(); }
+    void historyOfEverySymbolCanBeRead()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);

@@ -1,4 +1,4 @@
-// What is steered from the code: where a click on a line runs to, and what a dragged or typed number becomes.
+// Input in the code: the moment that a click on a line runs to, and the value of a dragged or typed number.
 
 #include "app/model/code/code_targets.h"
 #include "app/model/text/user_error.h"
@@ -34,7 +34,7 @@ private slots:
         QCOMPARE(at(5, 5, move), (sim::Cursor{6, 0}));
     }
 
-    void aLineIsAboutTheMomentAfterItsPhase()
+    void lineShowsTheMomentAfterItsPhase()
     {
         const lessons::Step &step = stepOf("multi_foot", "any_number");
         sim::Timeline run = runOf(step);

@@ -35,7 +35,7 @@ std::vector<CodeChip> chipsAt(const CodeListing &listing, const sim::Timeline &r
 
 }
 
-/// The values beside the shown code, and what of it is done, now and to come.
+/// The values beside the shown code, and its finished, current and pending sections.
 class TestCodeValues : public QObject
 {
     Q_OBJECT
@@ -50,7 +50,7 @@ private slots:
         sim::Timeline run = runOf(stepOf(lesson, step), method);
         const CodeListing listing = listingOf(stepOf(lesson, step), run);
         const int frames = run.state().pointCount() > 20 ? 10 : 60;
-        // Nothing but the phase and the name decides where a value stands.
+        // Only the phase and the name decide on which line a value is shown.
         std::set<std::pair<int, std::string>> found;
         for (int frame = 1; frame <= frames; ++frame) {
             run.nextOutputStep();
@@ -72,7 +72,7 @@ private slots:
         QVERIFY(!found.empty() || step == "drag"); // its foot feels no force
     }
 
-    void aValueStandsOnTheLineThatAssignsIt_data()
+    void valueIsShownOnTheLineThatAssignsIt_data()
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("line");
@@ -91,7 +91,7 @@ private slots:
         QTest::newRow("velocity") << "velocity"
                                   << "state.velocity";
     }
-    void aValueStandsOnTheLineThatAssignsIt()
+    void valueIsShownOnTheLineThatAssignsIt()
     {
         QFETCH(QString, name);
         QFETCH(QString, line);
@@ -106,7 +106,7 @@ private slots:
         QVERIFY2(textAt(listing, *chip).contains(line), qPrintable(textAt(listing, *chip)));
     }
 
-    void aBounceOnTheFloorStandsOnTheFloorsLines()
+    void bounceIsShownOnTheLinesOfTheFloor()
     {
         const lessons::Step &step = stepOf("gravity_walls", "gravity");
         sim::Timeline run = runOf(step);
@@ -127,7 +127,7 @@ private slots:
         QFAIL("the foot never met the floor");
     }
 
-    void numbersHaveThreeDigitsOrSoAndARealMinusSign_data()
+    void numbersHaveAboutThreeDigitsAndARealMinusSign_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("shown");
@@ -144,7 +144,7 @@ private slots:
         QTest::newRow("past all numbers") << std::numeric_limits<double>::infinity() << "too large";
         QTest::newRow("no number") << std::nan("") << "none";
     }
-    void numbersHaveThreeDigitsOrSoAndARealMinusSign()
+    void numbersHaveAboutThreeDigitsAndARealMinusSign()
     {
         QFETCH(double, value);
         QTEST(shownNumber(value), "shown");
@@ -181,13 +181,13 @@ private slots:
         QCOMPARE(whens(marksOf(listing, run, {}, 0)), QList<When>(5, When::plain));
     }
 
-    void everyPhaseIsNowWhenItIsDoneTheLastOneToo_data()
+    void phaseThatJustRanIsCurrentIncludingTheLastOne_data()
     {
         QTest::addColumn<QString>("method");
         QTest::newRow("group after group") << "published";
         QTest::newRow("all at once") << "semi_implicit_euler";
     }
-    void everyPhaseIsNowWhenItIsDoneTheLastOneToo()
+    void phaseThatJustRanIsCurrentIncludingTheLastOne()
     {
         QFETCH(QString, method);
         const lessons::Step &step = stepOf("gravity_walls", "gravity");
@@ -259,7 +259,7 @@ private slots:
         }
     }
 
-    void roundingNoiseIsShownAsNothingAndItsTipTellsIt()
+    void roundingErrorsAreShownAsZeroWithTheValueInTheToolTip()
     {
         const lessons::Step &step = stepOf("single_spring", "fixed_centre");
         sim::Timeline run = runOf(step, "semi_implicit_euler");
@@ -304,7 +304,7 @@ private slots:
         QCOMPARE(std::get<sim::Vec2>(pair).y, -3.0);
     }
 
-    void insideAFrameSectionsAreDoneNowOrToCome_data()
+    void insideAFrameSectionsAreDoneCurrentOrPending_data()
     {
         QTest::addColumn<QString>("body");
         QTest::addColumn<int>("phase");
@@ -321,7 +321,7 @@ private slots:
         row("after the body's springs", "body", 4, {now, next, later});
         row("the same, seen from a foot", "foot0", 4, {now, done, done});
     }
-    void insideAFrameSectionsAreDoneNowOrToCome()
+    void insideAFrameSectionsAreDoneCurrentOrPending()
     {
         QFETCH(QString, body);
         QFETCH(int, phase);

@@ -85,7 +85,7 @@ private slots:
         QVERIFY(shown.view().isFolded(0));
     }
 
-    void keysThatSteerTheWindowReachIt_data()
+    void shortcutsOfTheWindowWorkInTheCode_data()
     {
         QTest::addColumn<int>("key");
         QTest::addColumn<int>("modifiers");
@@ -95,7 +95,7 @@ private slots:
         QTest::newRow("Home") << int(Qt::Key_Home) << int(Qt::NoModifier);
         QTest::newRow("Page Down") << int(Qt::Key_PageDown) << int(Qt::NoModifier);
     }
-    void keysThatSteerTheWindowReachIt()
+    void shortcutsOfTheWindowWorkInTheCode()
     {
         QFETCH(int, key);
         QFETCH(int, modifiers);
@@ -152,7 +152,7 @@ private slots:
         QCOMPARE(inksOf("// −1").size(), QByteArray("// −1").size());
     }
 
-    void insideAFrameTheLastPhaseIsMarkedAndTheRestIsToCome()
+    void insideAFrameTheLastPhaseIsHighlightedAndLaterOnesAreDimmed()
     {
         CodeFixture shown;
         shown.session.playback().phaseForward();
@@ -174,7 +174,7 @@ private slots:
         QCOMPARE(shown.colorOf(result + 1), t.panel);
     }
 
-    void theLineThatIsNowIsAlwaysInSight()
+    void currentLineIsAlwaysVisible()
     {
         CodeFixture shown("gravity_walls", "gravity");
         shown.window.resize(400, 240);

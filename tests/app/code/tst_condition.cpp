@@ -43,13 +43,13 @@ struct ConditionFixture
 
 }
 
-/// What learners ask of a run: read, computed, and refused where it makes no sense.
+/// Conditions that learners write about a run: parsing, evaluation and errors.
 class TestCondition : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void aQuestionIsAnswered_data()
+    void conditionIsEvaluated_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<bool>("answer");
@@ -120,7 +120,7 @@ private slots:
         row("1 / 0 > 1e308", true);
         row("sqrt(-1) > 0 or sqrt(-1) <= 0", false);
     }
-    void aQuestionIsAnswered()
+    void conditionIsEvaluated()
     {
         QFETCH(QString, text);
         QFETCH(bool, answer);
@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(fixture.ask(text), answer);
     }
 
-    void invalidConditionsAreRefusedWithTheirPlaceAndARemedy_data()
+    void invalidConditionsAreRefusedWithTheCharacterAndARemedy_data()
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("place");
@@ -211,7 +211,7 @@ private slots:
         row("frame == 1 & frame == 2", 12, "has no meaning");
         row("foot0.y > 1 AND k > 1", 13, "cannot directly follow");
     }
-    void invalidConditionsAreRefusedWithTheirPlaceAndARemedy()
+    void invalidConditionsAreRefusedWithTheCharacterAndARemedy()
     {
         QFETCH(QString, text);
         QFETCH(int, place);
@@ -224,7 +224,7 @@ private slots:
         QCOMPARE(sentence.count(QRegularExpression("[.!?] [A-Z]")), 0); // one sentence
     }
 
-    void aTextWithoutEndIsRefusedAtOnce()
+    void tooLongConditionIsRefused()
     {
         ConditionFixture fixture;
         for (const QString &part : {QString("("), QString("not "), QString("-"), QString("1+"), QString("a")})
@@ -235,7 +235,7 @@ private slots:
         QVERIFY(fixture.ask("1 == " + QString("-").repeated(200) + "1"));
     }
 
-    void anyPieceOfAQuestionIsReadOrRefused()
+    void conditionWithAnyPartCutOutIsReadOrRefused()
     {
         ConditionFixture fixture;
         const QString whole = "not (foot0.y*-2.5e1 >= abs(k) and phase == \"gravity\" or frame != 12)";
@@ -274,7 +274,7 @@ private slots:
         QVERIFY(fixture.error("formula < \"" + is + '"').contains("=="));
     }
 
-    void itIsKnownWhetherTheNumberOfTheFrameMatters()
+    void conditionKnowsWhetherItReadsTheFrameNumber()
     {
         ConditionFixture fixture;
         const ConditionNames names = conditionNames(fixture.step, fixture.run);

@@ -9,7 +9,7 @@
 
 #include <limits>
 
-/// What suites of experiment files share.
+/// Shared by the suites of experiment files.
 namespace experiment_support {
 
 using namespace app;
@@ -71,7 +71,7 @@ inline Branch branchOf(const QString &name, bool isNamed, bool isKept, sim::Scri
     return {1, name, isNamed, isKept, 77, std::make_shared<const sim::Script>(std::move(script))};
 }
 
-/// The same with three runs beside it: one shares its first frames, two share nothing, as their parameters are others.
+/// Returns the same with three branches. One shares its first frames. Two have other parameters and share nothing.
 inline Experiment withBranches(double h = 1.0 / 3.0)
 {
     Experiment experiment = everything();

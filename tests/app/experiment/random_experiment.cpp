@@ -12,7 +12,7 @@ namespace random_experiments {
 
 namespace {
 
-/// As when a file is damaged: cut off, or bytes of it lost, doubled or changed.
+/// Damages a text: cuts it off, or removes, doubles or changes bytes.
 QByteArray damaged(QByteArray text, Draw &draw)
 {
     for (int i = draw.below(3); i >= 0 && !text.isEmpty(); --i) {

@@ -34,7 +34,7 @@ private:
     std::int64_t m_index = 0;
 };
 
-/// What a step has, untouched: what experiments on it are drawn from.
+/// The unchanged properties of a step, from which random experiments are drawn.
 struct Known
 {
     QString lesson;

@@ -25,11 +25,11 @@ QByteArray quoted(const QString &text)
     return '"' + text.toUtf8() + '"';
 }
 
-/// One experiment under way.
+/// The text of one random experiment while it is written.
 class Sheet
 {
 public:
-    /// `wrong`: the share of things that are drawn past what they can be.
+    /// `wrong` is the share of values that are drawn out of their range.
     Sheet(Draw &draw, const Known &known, const QStringList &methods, double wrong)
         : m_draw(draw), m_known(known), m_methods(methods), m_wrong(wrong)
     {
@@ -63,7 +63,7 @@ private:
         m_fields.push_back('"' + QByteArray(name) + "\": " + value);
     }
 
-    /// A number from `low` to `high`, often one of these; or something past them, or no number.
+    /// Returns a number from `low` to `high`, often one of the two; or a value out of this range, or not a number.
     QByteArray number(double low, double high)
     {
         if (errs()) {
@@ -86,7 +86,7 @@ private:
         return errs() ? number(low, high) : text(std::floor(m_draw.real(low, high + 1.0)));
     }
 
-    /// A place or a velocity along one axis: anything goes, as long as it is a number.
+    /// Returns one component of a position or a velocity: any number.
     QByteArray coordinate()
     {
         if (m_draw.chance(0.1))

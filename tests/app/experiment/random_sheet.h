@@ -8,7 +8,7 @@ namespace random_experiments {
 /// past what they can be.
 QByteArray sheet(Draw &draw, const Known &known, const QStringList &methods, double wrong);
 
-/// Numbers at the ends of what numbers can be.
+/// Returns extreme numbers, as text.
 const std::vector<QByteArray> &extremes();
 
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr std::int64_t mostRows = 300;
 constexpr std::int64_t mostWork = 150'000; ///< phases times points that a run may be
 
-/// Something that must not be.
+/// An error of the program that a trial has found.
 struct Fault
 {
     QString what;
@@ -33,7 +33,7 @@ void require(bool holds, const QString &what)
         throw Fault{what};
 }
 
-/// A refusal is one line that says where, and ends as a sentence.
+/// Checks that an error is one line that says where, and is a sentence.
 void checkError(const QString &sentence, const QByteArray &text)
 {
     static const QRegularExpression form(QStringLiteral("^x\\.json: line (\\d+): \\S.*\\.$"));
@@ -50,7 +50,7 @@ void checkFinite(double number, const QString &what)
     require(std::isfinite(number), what + " is not finite");
 }
 
-/// All that a state holds, whatever the run itself looks at, and all that `trace` writes of it.
+/// Checks all numbers of a state, and everything that `trace` writes of it.
 void checkState(const sim::State &state)
 {
     const QString where = QStringLiteral(" at frame %1").arg(state.frame);
@@ -144,7 +144,7 @@ private:
         }
     }
 
-    /// What is drawn over the picture and written beside it.
+    /// Checks the overlays of the picture and the texts beside it.
     void shown()
     {
         const sim::ComposedInterval &interval = m_track.interval();
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    /// What stands on the lines of the code.
+    /// Checks the values on the lines of the code.
     void checkValues(const std::string &body)
     {
         if (m_left <= 0)
@@ -178,7 +178,7 @@ private:
         }
     }
 
-    /// As a learner goes about it.
+    /// Edits the run like a learner.
     void edited()
     {
         sim::Timeline line(m_experiment.script, 200'000);
@@ -231,7 +231,7 @@ private:
     std::map<std::int64_t, sim::State> m_seen; ///< states by frame
 };
 
-/// What is written is read as the same experiment, and written the same again.
+/// Checks that the written file is read as the same experiment, and written unchanged again.
 void checkWritten(const app::Experiment &first, const app::LessonLibrary &library)
 {
     const QByteArray written = app::experimentText(first, library);

@@ -4,7 +4,7 @@
 
 namespace random_experiments {
 
-/// What became of an experiment.
+/// The outcome of reading and running an experiment.
 struct Outcome
 {
     enum class End {

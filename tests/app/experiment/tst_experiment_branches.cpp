@@ -1,4 +1,4 @@
-// Runs beside the one of an experiment, in its file.
+// The branches of an experiment in its file.
 
 #include "tests/app/experiment/experiment_support.h"
 #include "tests/suite.h"
@@ -11,14 +11,14 @@ class TestExperimentBranches : public QObject
     Q_OBJECT
 
 private slots:
-    void runsBesideItComeBackExactly_data()
+    void branchesSurviveARoundTrip_data()
     {
         QTest::addColumn<double>("h");
         QTest::newRow("a third of a frame") << 1.0 / 3.0;
         QTest::newRow("a frame") << 1.0;
         QTest::newRow("five frames") << 5.0;
     }
-    void runsBesideItComeBackExactly()
+    void branchesSurviveARoundTrip()
     {
         QFETCH(double, h);
         const Experiment experiment = withBranches(h);
@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(experimentText(experiment, library()), before);
     }
 
-    void aBranchByHandNeedsLittle()
+    void handWrittenBranchNeedsFewFields()
     {
         const Experiment read = parseExperiment(
             withBranch(
@@ -52,7 +52,7 @@ private slots:
         QCOMPARE(firstDifferent(*branch.script, read.script), 9);
     }
 
-    void aBranchThatIsWrongIsRefusedWithItsLine_data()
+    void invalidBranchIsRefusedWithItsLine_data()
     {
         QTest::addColumn<QByteArray>("fields");
         QTest::addColumn<QString>("sentence");
@@ -80,7 +80,7 @@ private slots:
         row("kept as a number", "\"name\": \"a\",\n\"kept\": 1",
             "line 7: \"kept\" is 1; it must be true or false.");
     }
-    void aBranchThatIsWrongIsRefusedWithItsLine()
+    void invalidBranchIsRefusedWithItsLine()
     {
         QFETCH(QByteArray, fields);
         QFETCH(QString, sentence);

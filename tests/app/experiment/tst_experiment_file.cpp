@@ -57,15 +57,15 @@ private slots:
         compareAfterRoundTrip(experiment);
     }
 
-    void everyFieldComesBackExactly() { compareAfterRoundTrip(everything()); }
+    void everyFieldSurvivesARoundTrip() { compareAfterRoundTrip(everything()); }
 
-    void aToleranceComesBackExactly_data()
+    void toleranceSurvivesARoundTrip_data()
     {
         QTest::addColumn<double>("tolerance");
         for (const double tolerance : {1e-13, 0.1 + 0.2, sim::defaultTolerance, 100.0})
             QTest::addRow("%g", tolerance) << tolerance;
     }
-    void aToleranceComesBackExactly()
+    void toleranceSurvivesARoundTrip()
     {
         QFETCH(double, tolerance);
         Experiment experiment = newExperiment("multi_foot", "any_number", library());
@@ -78,14 +78,14 @@ private slots:
                  tolerance != sim::defaultTolerance); // it is what there is without
     }
 
-    void aMethodWithoutAStepGetsOneThatFits_data()
+    void methodWithoutAStepGetsADefaultStepOrTolerance_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("tolerance");
         QTest::newRow("fixed steps") << "rk4" << 0.0;
         QTest::newRow("a method that adapts its steps") << "dop853" << 1e-3;
     }
-    void aMethodWithoutAStepGetsOneThatFits()
+    void methodWithoutAStepGetsADefaultStepOrTolerance()
     {
         QFETCH(QString, method);
         QFETCH(double, tolerance);
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(text.contains("\n  { \"frame\": 5, \"event\": \"release\" },\n"));
     }
 
-    void eventsThatLostTheirBodyAreLeftOut()
+    void eventsOfRemovedBodiesAreNotWritten()
     {
         Experiment experiment = newExperiment("multi_foot", "any_number", library());
         experiment.script.input = {{1, sim::Grab{"foot0"}}, {5, sim::Set{"feet", 3.0}},
@@ -144,7 +144,7 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(UserError, experimentText(experiment, library()));
     }
 
-    void savingReplacesTheFileOrLeavesIt()
+    void savingReplacesTheFileOrLeavesItUnchanged()
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath("saved.json");
@@ -177,7 +177,7 @@ private slots:
         const QString path = folder.filePath("large.json");
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly) &&
-                file.resize(qint64{1} << 30)); // takes no room: all of it a hole
+                file.resize(qint64{1} << 30)); // a sparse file takes no space
         QCOMPARE(readErrorOf(path), path + ": the file is larger than 32 MiB, the maximum.");
     }
 

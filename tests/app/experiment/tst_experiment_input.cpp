@@ -9,7 +9,7 @@ class TestExperimentInput : public QObject
     Q_OBJECT
 
 private slots:
-    void anEventThatMakesNoSenseIsRefused_data()
+    void impossibleEventIsRefused_data()
     {
         addColumns();
         const auto row = [](const char *name, const QByteArray &events, const QString &sentence) {
@@ -78,7 +78,7 @@ private slots:
             "line 6: there is no body \"foot7\" here; there is \"foot0\", \"foot1\", \"foot2\", \"foot3\", "
             "\"foot4\", \"body\".");
     }
-    void anEventThatMakesNoSenseIsRefused() { checkRow(); }
+    void impossibleEventIsRefused() { checkRow(); }
 
     void possibleInputIsAccepted_data()
     {

@@ -1,4 +1,4 @@
-// Events that only some steps let in, and points and sticks that a file gives in place of a step's own.
+// Events that only some steps accept, and files that replace a step's points and sticks.
 
 #include "sim/run/timeline.h"
 #include "tests/app/experiment/user_errors.h"
@@ -43,7 +43,7 @@ class TestExperimentOutside : public QObject
     Q_OBJECT
 
 private slots:
-    void errorsNameTheirPlace_data()
+    void errorsNameTheirLine_data()
     {
         user_errors::addColumns();
         const auto row = [](const char *name, const QByteArray &text, const QString &sentence) {
@@ -100,15 +100,15 @@ private slots:
         row("links that are no list", sticks(points(2) + ",\n\"links\": 3"),
             "line 6: \"links\" is 3; it must be a list in [ ].");
     }
-    void errorsNameTheirPlace() { user_errors::checkRow(); }
+    void errorsNameTheirLine() { user_errors::checkRow(); }
 
-    void theFilesBodiesAreThePoints_data()
+    void bodiesOfTheFileBecomeThePoints_data()
     {
         QTest::addColumn<int>("count");
         for (const int count : {2, 3, 40, 1000})
             QTest::addRow("%d points", count) << count;
     }
-    void theFilesBodiesAreThePoints()
+    void bodiesOfTheFileBecomeThePoints()
     {
         QFETCH(int, count);
         QByteArray links;
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(experiment.script.values.sticks->front().share, 0.5);
     }
 
-    void readFilesAreWrittenTheSame_data()
+    void filesSurviveARoundTrip_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::newRow("keys and a pointer")
@@ -145,7 +145,7 @@ private slots:
                                   "\"share\": 0.125}]");
         QTest::newRow("points without sticks") << sticks(points(3) + ", \"links\": []");
     }
-    void readFilesAreWrittenTheSame()
+    void filesSurviveARoundTrip()
     {
         QFETCH(QByteArray, text);
         static const LessonLibrary library = LessonLibrary::load({LESSON_DIR});

@@ -1,5 +1,5 @@
-// Experiment files that went wrong on their way: each is refused with a sentence, or it opens; the open one stays as it
-// is. SPRINGSTEP_RANDOM_SEED and SPRINGSTEP_RANDOM_COUNT in the environment choose others.
+// Damaged experiment files: each is refused with a sentence, or it opens. A refused file leaves the open experiment
+// unchanged. The environment variables SPRINGSTEP_RANDOM_SEED and SPRINGSTEP_RANDOM_COUNT choose other files.
 
 #include "tests/app/support/window_fixture.h"
 #include "tests/sizes.h"
@@ -14,11 +14,11 @@ using namespace tests;
 
 namespace {
 
-/// Good experiments, spoiled.
-class Spoiler
+/// A source of damaged copies of good experiments.
+class DamagedFiles
 {
 public:
-    Spoiler(quint32 seed, std::vector<QByteArray> made) : m_random(seed), m_good(std::move(made))
+    DamagedFiles(quint32 seed, std::vector<QByteArray> made) : m_random(seed), m_good(std::move(made))
     {
         const QDir folder(TEST_DATA "/published");
         for (const QString &name : folder.entryList({"*.json"})) {
@@ -107,8 +107,7 @@ private:
     std::vector<QByteArray> m_good;
 };
 
-/// Runs with others beside them, which the learner named or keeps: one that parts on the way, one that is another from
-/// the start on.
+/// Returns the texts of experiments with two named and kept branches: one parts at the start, one later.
 std::vector<QByteArray> textsWithBranches()
 {
     std::vector<QByteArray> texts;
@@ -137,7 +136,7 @@ class MalformedTest : public QObject
     Q_OBJECT
 
 private slots:
-    void aSpoiledFileIsRefusedWithASentenceOrOpens();
+    void damagedFileIsRefusedWithASentenceOrOpens();
     void aFileThatIsTooLargeIsRefusedUnread();
 
 private:
@@ -148,14 +147,14 @@ private:
     QTemporaryDir m_folder;
 };
 
-void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
+void MalformedTest::damagedFileIsRefusedWithASentenceOrOpens()
 {
     const quint32 seed = setting("SPRINGSTEP_RANDOM_SEED", 1u);
     const quint32 count = setting("SPRINGSTEP_RANDOM_COUNT", 500u);
     const std::vector<QByteArray> made = textsWithBranches();
     QVERIFY(made.front().contains("\"branches\"") && made.back().contains("\"fork\""));
-    Spoiler spoiler(seed, made);
-    QVERIFY(spoiler.count() > 10);
+    DamagedFiles files(seed, made);
+    QVERIFY(files.count() > 10);
     WindowFixture fixture({"multi_foot", "two_feet"});
     fixture.session.editor().setParameter("k", 0.31);
     fixture.drag("foot0", {40, 10});
@@ -166,7 +165,7 @@ void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
     const QString path = m_folder.filePath("spoiled.json");
     quint32 refused = 0;
     for (quint32 i = 0; i < count; ++i) {
-        const QByteArray text = spoiler.next();
+        const QByteArray text = files.next();
         QFile file(path);
         QVERIFY(file.open(QFile::WriteOnly) && file.write(text) == text.size());
         file.close();
@@ -200,7 +199,7 @@ void MalformedTest::aFileThatIsTooLargeIsRefusedUnread()
     fixture.session.editor().setParameter("k", 0.31);
     const QByteArray before = textOf(fixture);
     QFile file(m_folder.filePath("large.json"));
-    QVERIFY(file.open(QFile::WriteOnly) && file.resize(qint64(1) << 30)); // takes no room on the disk
+    QVERIFY(file.open(QFile::WriteOnly) && file.resize(qint64(1) << 30)); // a sparse file
     file.close();
     fixture.window.openFile(file.fileName());
     QVERIFY2(fixture.notice.sentence().contains("32 MiB"), qPrintable(fixture.notice.sentence()));

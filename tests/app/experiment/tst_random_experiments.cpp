@@ -1,5 +1,5 @@
-// Experiments at random, from the text of a file on: whatever it says, it is refused with a sentence, or it runs, and
-// nothing that is shown or written is infinite or no number. Environment variables choose others:
+// Random experiment files. Each is refused with a sentence, or it runs, and no number that is shown or written is
+// infinite or not a number. Environment variables choose other files:
 //   SPRINGSTEP_RANDOM_SEED   the seed, 1 to begin with
 //   SPRINGSTEP_RANDOM_COUNT  how many
 //   SPRINGSTEP_RANDOM_FIRST  the number of the first, 1 to begin with: many can be done in slices, one after the other
@@ -88,8 +88,8 @@ private slots:
         QCOMPARE(faults, 0);
     }
 
-    /// Else the test above would say little.
-    void theyAreOfEveryKind()
+    /// Makes sure that the test above covers every kind of experiment.
+    void experimentsCoverEveryKindOfLessonMethodAndOutcome()
     {
         if (qEnvironmentVariableIsSet("SPRINGSTEP_RANDOM_ONLY"))
             QSKIP("one alone");
@@ -105,7 +105,7 @@ private slots:
         }
     }
 
-    void theSameSeedDrawsTheSame()
+    void equalSeedsGiveEqualExperiments()
     {
         Draw one(m_seed, 7), two(m_seed, 7), other(m_seed, 8);
         QCOMPARE(m_experiments.text(one), m_experiments.text(two));

@@ -82,7 +82,7 @@ void everyFile()
 
 }
 
-/// Files saved by an earlier version: they open, are written back as they were, and run to the same bits.
+/// Files saved by an earlier version open, are written back unchanged, and give the same bits.
 class TestSavedFiles : public QObject
 {
     Q_OBJECT

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-/// What suites that read bad experiments share.
+/// Shared by the suites that read bad experiments.
 namespace user_errors {
 
 inline const app::LessonLibrary &allLessons()
@@ -13,7 +13,7 @@ inline const app::LessonLibrary &allLessons()
     return library;
 }
 
-/// What reading `text` as a file x.json is refused with; empty when it is accepted.
+/// Returns the error that reading `text` as a file x.json gives; empty if it is accepted.
 inline QString errorOf(const QByteArray &text)
 {
     try {

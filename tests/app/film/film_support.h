@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-/// What suites of films and pictures share: others' readers, and how far two pictures differ.
+/// Shared by the suites of films and pictures: readers of other libraries, and the difference of two pictures.
 namespace film_support {
 
 struct Decoded

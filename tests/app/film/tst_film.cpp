@@ -1,4 +1,4 @@
-// Films, read by others' code: Qt's readers of GIF and PNG.
+// Films, read by Qt's readers of GIF and PNG.
 
 #include "tests/app/film/film_support.h"
 #include "tests/app/support/session_fixture.h"
@@ -54,12 +54,12 @@ private slots:
     void aGifLastsAsLongAsItsFrames();
     void aFilmFromTheMiddleShowsTheSameFrames();
     void pngFilesAreThePicturesOfTheSceneExactly();
-    void aNameThatIsNoFilmsIsRefused_data();
-    void aNameThatIsNoFilmsIsRefused();
-    void filesInTheWayAreThoseThatWouldBeWrittenOver();
-    void makingAFilmGetsNothingDone();
-    void aFilmKeepsItsSubject_data();
-    void aFilmKeepsItsSubject();
+    void invalidFileNameIsRefused_data();
+    void invalidFileNameIsRefused();
+    void filesInTheWayAreTheOnesThatWouldBeReplaced();
+    void makingAFilmTicksNoThingToTry();
+    void subjectOfAFilmStaysInThePicture_data();
+    void subjectOfAFilmStaysInThePicture();
 
 private:
     QTemporaryDir m_folder;
@@ -153,7 +153,7 @@ void FilmTest::framesOfAGifAreThePicturesOfTheScene()
     make(plan, fixture.library);
     const Decoded film = decoded(plan.out);
     QCOMPARE(film.pictures.size(), std::size_t(12));
-    // The truth: PNG files of the same film, which lose nothing.
+    // The reference is a lossless PNG export of the same film.
     plan.out = m_folder.filePath("scene_%d.png");
     make(plan, fixture.library);
     for (int frame = 0; frame < 12; ++frame) {
@@ -228,7 +228,7 @@ void FilmTest::pngFilesAreThePicturesOfTheSceneExactly()
     }
 }
 
-void FilmTest::aNameThatIsNoFilmsIsRefused_data()
+void FilmTest::invalidFileNameIsRefused_data()
 {
     QTest::addColumn<QString>("name");
     for (const char *name :
@@ -236,20 +236,20 @@ void FilmTest::aNameThatIsNoFilmsIsRefused_data()
         QTest::newRow(*name ? name : "empty") << QString(name);
 }
 
-void FilmTest::aNameThatIsNoFilmsIsRefused()
+void FilmTest::invalidFileNameIsRefused()
 {
     QFETCH(QString, name);
     QVERIFY_THROWS_EXCEPTION(UserError, filmKind(name));
     QCOMPARE(filmKind("a b%.gif"), FilmKind::gif);
     QCOMPARE(filmKind("/100 %/%d/walk_%04d.png"),
-             FilmKind::pictures); // folders are called what they are called
+             FilmKind::pictures); // a folder may have any name
     QCOMPARE(pictureName("/100 %/%d/walk_%04d.png", 7), QString("/100 %/%d/walk_0007.png"));
     QCOMPARE(pictureName("walk_%04d.PNG", 41), QString("walk_0041.PNG"));
     QCOMPARE(pictureName("walk_%d.png", 12345), QString("walk_12345.png"));
     QCOMPARE(pictureName("walk_%03d.png", 12345), QString("walk_12345.png"));
 }
 
-void FilmTest::filesInTheWayAreThoseThatWouldBeWrittenOver()
+void FilmTest::filesInTheWayAreTheOnesThatWouldBeReplaced()
 {
     const QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkpath("100%_7.png"));
@@ -272,16 +272,16 @@ void FilmTest::filesInTheWayAreThoseThatWouldBeWrittenOver()
     QVERIFY_THROWS_EXCEPTION(UserError, in("walk.mp4", 0, 3));
 }
 
-void FilmTest::makingAFilmGetsNothingDone()
+void FilmTest::makingAFilmTicksNoThingToTry()
 {
     SessionFixture fixture;
     make(planOf(fixture, "one", "first", m_folder.filePath("done.gif")), fixture.library);
     QVERIFY(!Progress().isDone("one", "first", 0));
-    fixture.session.playback().play(); // a run of five frames does it
+    fixture.session.playback().play(); // a run of five frames ticks it
     QTRY_VERIFY(Progress().isDone("one", "first", 0));
 }
 
-void FilmTest::aFilmKeepsItsSubject_data()
+void FilmTest::subjectOfAFilmStaysInThePicture_data()
 {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QSize>("size");
@@ -292,9 +292,9 @@ void FilmTest::aFilmKeepsItsSubject_data()
     }
 }
 
-/// The truth: in a film with nothing but bodies, sticks and springs, no picture has ink at its sides or its top, and the
-/// largest body of the first picture has about its area in all of them.
-void FilmTest::aFilmKeepsItsSubject()
+/// In a film of bodies, sticks and springs only, no picture has ink at its sides or its top, and the largest body has
+/// about the same area in all pictures.
+void FilmTest::subjectOfAFilmStaysInThePicture()
 {
     QFETCH(QString, file);
     QFETCH(QSize, size);

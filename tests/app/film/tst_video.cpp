@@ -1,4 +1,4 @@
-// Films as video, read by others' code: as many pictures as the run has frames, each at its time, each what the scene shows.
+// Films as video, read by other libraries: one picture per frame of the run, at its time, as the scene shows it.
 
 #include "tests/app/film/film_support.h"
 #include "tests/app/film/webm_reader.h"
@@ -34,7 +34,7 @@ void makeVideo(const FilmPlan &plan, const LessonLibrary &library)
     QCOMPARE(film.done(), film.total());
 }
 
-/// A picture whose colours are all over the place.
+/// Returns a picture with many different colours.
 QImage colourful(QSize size, int number)
 {
     QImage picture(size, QImage::Format_RGB32);
@@ -68,14 +68,14 @@ private slots:
             QCOMPARE(film.pictures[i].size(), picture.size());
             const double apart = film_support::difference(film.pictures[i], picture).mean;
             QVERIFY2(apart < 1.5, qPrintable(QString::number(apart)));
-            // The frame before differs more than the same one does: none is late. The run is almost at rest later.
+            // No picture is one frame late: the frame before differs more. Later the run is almost at rest.
             if (i > 0 && i < 8)
                 QVERIFY(film_support::difference(film.pictures[i], before).mean > apart);
             before = picture;
         }
     }
 
-    void eachColourIsTheRightOne()
+    void coloursSurviveEncoding()
     {
         const QString path = m_folder.filePath("b.webm");
         WebmFile file(path, {192, 96});
@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(film.duration, double(std::llround(21'000.0 / rate)));
     }
 
-    void aPlayerCanGoToAnyPart()
+    void playerCanSeekInTheWholeVideo()
     {
         const QString path = m_folder.filePath("d.webm");
         WebmFile file(path, {64, 48});

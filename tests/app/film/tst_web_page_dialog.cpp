@@ -61,7 +61,7 @@ void WebPageDialogTest::aPageIsMadeWhileTheWindowGoesOn()
     QCOMPARE(dialog.findChildren<QSpinBox *>().last()->value(), 40);
     dialog.makePage(path("walk.html"));
     QVERIFY(dialog.isMaking());
-    fixture.session.openStep("single_spring", "drag"); // whatever the window shows meanwhile
+    fixture.session.openStep("single_spring", "drag"); // the window may show another step
     QTRY_VERIFY(!dialog.isMaking());
     QVERIFY2(dialog.message().startsWith("walk.html is saved"), qPrintable(dialog.message()));
     QFile file(path("walk.html"));

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-/// Films read by others' code: the container by libwebm's parser, the pictures by libvpx's decoder.
+/// A reader of films that uses other libraries: libwebm's parser for the container, libvpx's decoder for the pictures.
 namespace webm_reader {
 
 struct Film

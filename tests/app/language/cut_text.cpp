@@ -24,13 +24,13 @@ QString whereIs(const QWidget *widget)
     return path.join('/');
 }
 
-/// How many px of it are out of sight on its right or left, where nothing can be scrolled to.
+/// Returns how many px of a widget are hidden on its right or left without a way to scroll there.
 int hidden(const QWidget &widget)
 {
     return widget.width() - widget.visibleRegion().boundingRect().width();
 }
 
-/// How many px a label or button lacks for its text, across or down; 0 where it has enough.
+/// Returns how many px a label or button lacks for its text, across or down; 0 if it is large enough.
 int lacking(const QWidget &widget)
 {
     if (const auto *label = qobject_cast<const QLabel *>(&widget)) {

@@ -4,6 +4,6 @@
 
 class QWidget;
 
-/// The texts that a visible widget draws itself, without those of the widgets in it, as they come: cut with an ellipsis where
-/// they were.
+/// Returns the texts that a visible widget draws itself, without those of its children. Shortened texts end with an
+/// ellipsis.
 QStringList drawnBy(QWidget &widget);

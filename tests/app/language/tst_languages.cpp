@@ -1,4 +1,4 @@
-// The languages of the window: all is translated, and the language is that of the system or the one chosen.
+// The languages of the window: everything is translated, and the language is the chosen one or the system's.
 
 #include "app/model/learning/project_start.h"
 #include "app/model/sandbox/sandbox_properties.h"
@@ -31,7 +31,7 @@ void collectMenus(const QMenu *menu, QList<const QMenu *> &all)
     }
 }
 
-/// Letters that two entries of `actions` share.
+/// Returns the mnemonics that two entries of `actions` share.
 QStringList sharedLetters(const QList<QAction *> &actions)
 {
     QStringList shared;
@@ -72,8 +72,8 @@ class LanguagesTest : public QObject
 
 private slots:
     void languagesAreNamedInTheirOwnWords();
-    void theSystemsWishesAreMet_data();
-    void theSystemsWishesAreMet();
+    void firstKnownLanguageOfTheSystemIsChosen_data();
+    void firstKnownLanguageOfTheSystemIsChosen();
     void numbersHaveACommaOnTheScreen();
     void everyStepIsTranslated_data() { addTranslatedLanguages(); }
     void everyStepIsTranslated();
@@ -84,7 +84,7 @@ private slots:
     void sectionsOfPropertiesUseTheNamesOfThePicture();
     void noLetterOpensTwoEntriesOfAMenu_data();
     void noLetterOpensTwoEntriesOfAMenu();
-    void theLanguageThatIsSpokenAsksForNoNewWindow();
+    void choosingTheCurrentLanguageOpensNoNewWindow();
     void theChoiceOfALanguageIsRemembered();
 };
 
@@ -97,7 +97,7 @@ void LanguagesTest::languagesAreNamedInTheirOwnWords()
     QCOMPARE(Language::nameOf("fr"), QString("Français"));
 }
 
-void LanguagesTest::theSystemsWishesAreMet_data()
+void LanguagesTest::firstKnownLanguageOfTheSystemIsChosen_data()
 {
     QTest::addColumn<QStringList>("wanted");
     QTest::addColumn<QString>("spoken");
@@ -110,7 +110,7 @@ void LanguagesTest::theSystemsWishesAreMet_data()
     QTest::newRow("C") << QStringList{"C"} << "en";
 }
 
-void LanguagesTest::theSystemsWishesAreMet()
+void LanguagesTest::firstKnownLanguageOfTheSystemIsChosen()
 {
     QFETCH(QStringList, wanted);
     QTEST(Language::firstKnown(wanted), "spoken");
@@ -238,7 +238,7 @@ void LanguagesTest::noLetterOpensTwoEntriesOfAMenu()
     QVERIFY2(shared.isEmpty(), qPrintable(shared.join('\n')));
 }
 
-void LanguagesTest::theLanguageThatIsSpokenAsksForNoNewWindow()
+void LanguagesTest::choosingTheCurrentLanguageOpensNoNewWindow()
 {
     QSettings().setValue("window/language", "de");
     TranslatedWindow german("de");

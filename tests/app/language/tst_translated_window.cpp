@@ -37,7 +37,7 @@ private slots:
     void theSandboxIsNotCut_data() { addTranslatedLanguages(); }
     void theSandboxIsNotCut();
     void aSentenceTooLongForTheStatusBarEndsInDots();
-    void aWindowThatGoesTakesItsOpenGalleryAlong();
+    void deletedWindowClosesItsOpenGallery();
     void cleanupTestCase() { m_shown.reset(); }
 
 private:
@@ -237,7 +237,7 @@ void TranslatedWindowTest::aSentenceTooLongForTheStatusBarEndsInDots()
     QVERIFY2(drawn[0].startsWith("Leertaste") && drawn[0].endsWith(QChar(0x2026)), qPrintable(drawn[0]));
 }
 
-void TranslatedWindowTest::aWindowThatGoesTakesItsOpenGalleryAlong()
+void TranslatedWindowTest::deletedWindowClosesItsOpenGallery()
 {
     m_shown.reset();
     for (const bool painted : {false, true}) {

@@ -1,4 +1,4 @@
-// The files of translations: complete, and true to the form of what they translate.
+// The translation files are complete, and have the structure of the source texts.
 
 #include "tests/lessons/support/translated_text.h"
 #include "tests/suite.h"
@@ -121,7 +121,7 @@ private slots:
     void numbersHaveACommaInProse_data() { files("_??.ts"); }
     void numbersHaveACommaInProse()
     {
-        // Sentences about files and the command line keep the point, which is what those take.
+        // Sentences about files and the command line keep the decimal point, because files and commands require it.
         static const QStringList ofFiles = {"CommandLine", "ConditionTokensText", "ExperimentMethodText",
                                             "JsonDocumentText", "SentencesText"};
         eachForm([](const Entry &entry, const QString &form) {

@@ -6,7 +6,7 @@
 
 #include <QTest>
 
-/// What suites of the learner's code share.
+/// Shared by the suites of the learner's code.
 namespace code_session {
 
 /// A session in which a step of the real lessons is open.

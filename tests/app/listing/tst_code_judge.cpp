@@ -89,13 +89,13 @@ class CodeJudgeTest : public QObject
 private slots:
     void everyTaskIsComplete_data() { addTaskRows(); }
     void everyTaskIsComplete();
-    void eachLessonHasATaskFromTheEmptyPage();
+    void eachLessonWithTasksHasOneForTheWholeFrame();
     void theSolutionIsRight_data() { addTaskRows(); }
     void theSolutionIsRight();
-    void theEmptyPlaceIsNotRight_data() { addTaskRows(); }
-    void theEmptyPlaceIsNotRight();
-    void eachNearMissIsToldApart_data() { addTaskRows(); }
-    void eachNearMissIsToldApart();
+    void emptyGapIsNotRight_data() { addTaskRows(); }
+    void emptyGapIsNotRight();
+    void eachNearMissIsRecognised_data() { addTaskRows(); }
+    void eachNearMissIsRecognised();
     void anyRightFormulationPasses_data();
     void anyRightFormulationPasses();
     void theTrialRunsVaryChoicesAndWholeNumbers_data() { addTaskRows(); }
@@ -105,11 +105,11 @@ private slots:
     void theTrialRunsMoveBodies_data() { addTaskRows(); }
     void theTrialRunsMoveBodies();
     void anotherMistakeIsWrongAtItsFrameAndBody();
-    void aNumberInPlaceOfAParameterIsToldApart();
-    void aMistakeThatNeedsTheHandNamesTheHeldBody();
+    void numberInsteadOfAParameterIsRecognised();
+    void mistakeDuringADragNamesTheHeldBody();
     void aDifferenceBelowRoundingIsRight();
-    void codeThatDoesNotCompileTellsItsLine();
-    void aRuntimeMistakeTellsItsLine();
+    void compileErrorNamesItsLine();
+    void runtimeErrorNamesItsLine();
     void anEndlessLoopEnds();
     void canBeCancelled();
 };
@@ -137,7 +137,7 @@ void CodeJudgeTest::everyTaskIsComplete()
         QVERIFY2(line.size() <= 96, qPrintable(line));
 }
 
-void CodeJudgeTest::eachLessonHasATaskFromTheEmptyPage()
+void CodeJudgeTest::eachLessonWithTasksHasOneForTheWholeFrame()
 {
     int all = 0;
     for (const QString &lesson : lessonIds()) {
@@ -164,7 +164,7 @@ void CodeJudgeTest::theSolutionIsRight()
     QCOMPARE(step.listing.with(task.id, step.listing.solution(task.id)), step.listing.text);
 }
 
-void CodeJudgeTest::theEmptyPlaceIsNotRight()
+void CodeJudgeTest::emptyGapIsNotRight()
 {
     const auto [step, task] = assignmentOfRow();
     const Verdict verdict = judge(step, task, step.listing.emptied(task)).value();
@@ -172,12 +172,12 @@ void CodeJudgeTest::theEmptyPlaceIsNotRight()
     QVERIFY(!sentenceFor(verdict, task).isEmpty());
 }
 
-void CodeJudgeTest::eachNearMissIsToldApart()
+void CodeJudgeTest::eachNearMissIsRecognised()
 {
     const auto [step, task] = assignmentOfRow();
     for (int i = 0; i < static_cast<int>(task.nearMisses.size()); ++i) {
         const lessons::NearMiss &miss = task.nearMisses[static_cast<std::size_t>(i)];
-        // With a comment: the text of a learner is not that of the task.
+        // The comment makes the text differ from the near miss in the document.
         const QString code = "// as I understood it\n" + miss.code;
         const QString text = step.listing.with(miss.gap.isEmpty() ? task.id : miss.gap, code);
         const Verdict verdict = judge(step, task, text).value();
@@ -300,7 +300,7 @@ void CodeJudgeTest::anotherMistakeIsWrongAtItsFrameAndBody()
     QVERIFY(sentenceFor(verdict, one.task).contains("foot"));
 }
 
-void CodeJudgeTest::aNumberInPlaceOfAParameterIsToldApart()
+void CodeJudgeTest::numberInsteadOfAParameterIsRecognised()
 {
     const Assignment one = assignment("walking_gait", "bones", "target");
     Verdict verdict = one.judged("Vec2 target = body.position - 50 * Vec2(cos(angle), sin(angle));");
@@ -314,7 +314,7 @@ void CodeJudgeTest::aNumberInPlaceOfAParameterIsToldApart()
     QVERIFY2(isSaid(), qPrintable(sentenceFor(verdict, one.task)));
 }
 
-void CodeJudgeTest::aMistakeThatNeedsTheHandNamesTheHeldBody()
+void CodeJudgeTest::mistakeDuringADragNamesTheHeldBody()
 {
     const Assignment one = assignment("single_spring", "drag", "throw");
     const Verdict verdict = one.judged("foot.velocity = hand - foot.position;");
@@ -335,7 +335,7 @@ void CodeJudgeTest::aDifferenceBelowRoundingIsRight()
     QVERIFY(kindWith("1e-8") == Verdict::Kind::wrong);
 }
 
-void CodeJudgeTest::codeThatDoesNotCompileTellsItsLine()
+void CodeJudgeTest::compileErrorNamesItsLine()
 {
     const Assignment one = assignment("single_spring", "fixed_centre", "pull");
     const Verdict verdict = one.judged("foot.velocty += k;");
@@ -344,7 +344,7 @@ void CodeJudgeTest::codeThatDoesNotCompileTellsItsLine()
     QVERIFY(sentenceFor(verdict, one.task).contains(QString::number(verdict.compileError->line)));
 }
 
-void CodeJudgeTest::aRuntimeMistakeTellsItsLine()
+void CodeJudgeTest::runtimeErrorNamesItsLine()
 {
     const Assignment one = assignment("multi_foot", "any_number", "loop");
     const Verdict verdict =

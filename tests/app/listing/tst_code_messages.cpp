@@ -1,4 +1,4 @@
-// The mistakes in a learner's code, told in German.
+// Messages about mistakes in a learner's code, in German.
 
 #include "app/model/text/language.h"
 #include "app/model/text/listing_text.h"
@@ -15,7 +15,7 @@ class CodeMessagesTest : public QObject
     Q_OBJECT
 
 private slots:
-    void mistakesAreToldInGerman_data()
+    void compileErrorsAreTranslatedToGerman_data()
     {
         QTest::addColumn<QString>("code"); // in the function frame
         for (const char *code : {"feet[0].velocty *= 2;",
@@ -115,7 +115,7 @@ private slots:
                                  "k = 2; else k = 3;"})
             QTest::newRow(code) << QString(code);
     }
-    void mistakesAreToldInGerman()
+    void compileErrorsAreTranslatedToGerman()
     {
         QFETCH(QString, code);
         Opened opened("multi_foot", "any_number");
@@ -132,7 +132,7 @@ private slots:
         }
     }
 
-    void mistakesThatStopAFrameAreToldInGerman_data()
+    void runtimeErrorsAreTranslatedToGerman_data()
     {
         QTest::addColumn<QString>("code");
         QTest::addColumn<QString>("sentence");
@@ -150,7 +150,7 @@ private slots:
                "Zahl oder "
                "nach einer Zahl, die in jedem Bild wächst.";
     }
-    void mistakesThatStopAFrameAreToldInGerman()
+    void runtimeErrorsAreTranslatedToGerman()
     {
         QFETCH(QString, code);
         QFETCH(QString, sentence);

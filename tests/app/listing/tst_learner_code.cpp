@@ -1,4 +1,4 @@
-// The text that a learner writes: it becomes the run, and the run as it was stays beside it.
+// The learner's code computes the run, and the run before the change stays visible as the ghost.
 
 #include "app/listing/limits.h"
 #include "app/model/analysis/accuracy_study.h"
@@ -17,7 +17,7 @@ using code_session::sameMotion;
 
 namespace {
 
-/// A listing in which one number of `radial` is another: it computes what the compiled pipeline computes with k = 0.4.
+/// The listing of `radial` with 0.4 in place of k. It moves like the compiled pipeline with k = 0.4.
 QString stiffer(const Opened &opened)
 {
     return Opened::with(opened.listing(), "k * (target", "0.4 * (target");
@@ -51,7 +51,7 @@ private slots:
         QCOMPARE(opened.session.editor().undoStack().count(), 0);
     }
 
-    void aWrittenNumberComputesWhatTheParameterComputes()
+    void changedNumberGivesTheMotionOfTheChangedParameter()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -74,7 +74,7 @@ private slots:
         QVERIFY(sameMotion(session.timeline().state(), publishedWith(opened, 0.4, 120)));
     }
 
-    void theRunAsItWasIsTheGhost()
+    void runBeforeTheChangeBecomesTheGhost()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(sameMotion(session.timeline().state(), end));
     }
 
-    void theLastGoodCodeGoesOnWhileItDoesNotCompile()
+    void lastCompiledCodeRunsWhileTheTextDoesNotCompile()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -292,7 +292,7 @@ private slots:
         QCOMPARE(error->line, opened.lineOf("1 / zero"));
         QCOMPARE(endSentence(session.timeline().track()),
                  QString("Stopped at frame 9. Line %1 of your code: This divides by 0.").arg(error->line));
-        // Mended, the run goes on to where the learner was.
+        // After the correction, the run goes on to the learner's frame.
         session.code().write(stiffer(opened));
         opened.waitUntilThere();
         QCOMPARE(session.timeline().cursor(), (sim::Cursor{50, 0}));
@@ -340,7 +340,7 @@ private slots:
         QVERIFY(!session.code().mistakes().empty());
     }
 
-    void aTryThatNeedsAShorterStepIsStillToDo()
+    void hintSaysThatCodeCannotTakeShorterSteps()
     {
         Opened opened("multi_foot", "grown_feet");
         Session &session = opened.session;
@@ -358,7 +358,7 @@ private slots:
         QCOMPARE(session.timeline().script().step.h, 0.5);
     }
 
-    void aTryThatNeedsPhasesIsStillToDo()
+    void hintSaysThatCodeHasNoPhases()
     {
         Opened opened("rigid_constraint", "pair"); // its try asks for the pointer first, then for a phase
         Session &session = opened.session;
@@ -408,7 +408,7 @@ private slots:
         QCOMPARE(texts, 2);
     }
 
-    void aTextWithoutBoundIsAMistake()
+    void tooLongTextIsAMistake()
     {
         Opened opened("single_spring", "radial");
         opened.session.code().write(opened.listing() + "// " + QString(int(listing::maxTextBytes), 'x'));

@@ -71,7 +71,7 @@ private slots:
             QVERIFY(playTo(session, 20));
             QCOMPARE(session.timeline().cursor(), (sim::Cursor{frame, 0}));
             QCOMPARE(session.lines().nextLine(), opened.lineOf("foot.position += foot.velocity;"));
-            // The lines above have run: the velocity is that of the end of the frame, the place that of its start.
+            // The lines above have run: the velocity is already the one at the end of the frame, the position not yet.
             const int foot = session.timeline().track().interval().scene.find("foot");
             const sim::Script &script = session.timeline().script();
             const sim::State before = published(session.step(), script, frame),
@@ -85,7 +85,7 @@ private slots:
         }
     }
 
-    void inALoopItStopsAtEachTurn()
+    void breakpointInALoopStopsInEachIteration()
     {
         Opened opened("multi_foot", "any_number");
         Session &session = opened.session;
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(session.timeline().cursor().frame, 4);
     }
 
-    void aConditionIsAskedAtItsLineOnly()
+    void conditionIsEvaluatedOnlyAtItsLine()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(session.playback().breakHit());
     }
 
-    void oneThatIsOffOrOfAnotherMethodStopsNothing()
+    void disabledBreakpointOrOneOfAnotherMethodDoesNotStop()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -181,7 +181,7 @@ private slots:
         QVERIFY(playTo(session, 30));
     }
 
-    void aLineThatDoesNotRunIsNotMet()
+    void breakpointOnALineThatDoesNotRunDoesNotStop()
     {
         Opened opened("single_spring", "radial");
         setStop(opened, "foot.position = hand;");
@@ -200,7 +200,7 @@ private slots:
         QCOMPARE(stopLines(session), lines);
     }
 
-    void theyMoveWithTheText()
+    void breakpointsMoveWithTheText()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -275,7 +275,7 @@ private slots:
         QVERIFY(lines > 1000);
     }
 
-    void otherLinesLeadToTheNextOne()
+    void lineWithoutCodeSelectsTheNextLineOfCode()
     {
         const QString text = "double clock = 0; // runs once\n\nvoid frame()\n{\n    // a comment\n"
                              "    double a = 1 +\n        2;\n    if (a > 2)\n    {\n        a = 1;\n    }\n"
@@ -314,7 +314,7 @@ private slots:
         QCOMPARE(stopLines(shown.session), QList<int>());
     }
 
-    void f9SetsItOnTheLineOfTheCaret()
+    void f9TogglesABreakpointOnTheLineOfTheCaret()
     {
         ListingFixture shown("single_spring", "radial");
         const int comment = shown.line("// the nearest place");

@@ -1,4 +1,4 @@
-// Line by line through a frame, forwards and back.
+// Stepping through a frame line by line, forwards and back.
 
 #include "app/listing/limits.h"
 #include "app/ui/time/line_position.h"
@@ -211,7 +211,7 @@ private slots:
                 (sim::Vec2{120, 300} - before));
         QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("hand", shown.index)) == (sim::Vec2{120, 300}));
         session.lines().forward();
-        session.lines().forward(); // behind the brace
+        session.lines().forward(); // after the brace
         QCOMPARE(session.timeline().cursor(), (sim::Cursor{4, 0}));
         QVERIFY(session.timeline().state().positionOf(foot) == (sim::Vec2{120, 300}));
     }
@@ -291,7 +291,7 @@ private slots:
         QVERIFY(!chipAt(opened, "Vec2 target").text.isEmpty()); // the values that led there
     }
 
-    void linesThatAreNotCountedAreNotPromised()
+    void numberOfLinesIsShownOnlyIfItIsKnown()
     {
         Opened opened("single_spring", "radial");
         opened.session.code().write("void frame()\n{\n    while (true)\n        foot.velocity *= damp;\n}\n");

@@ -1,4 +1,4 @@
-// What the lines of a frame have computed: values beside them, in conditions and in the scene.
+// The values that the lines of a frame have computed: beside the lines, in conditions and in the scene.
 
 #include "app/model/breakpoints/breakpoint_monitor.h"
 #include "app/model/listing/vector_mark.h"
@@ -53,7 +53,7 @@ class LineValuesTest : public QObject
     Q_OBJECT
 
 private slots:
-    void valuesStandBesideTheLinesThatSetThem()
+    void valuesAreShownBesideTheLinesThatSetThem()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -188,7 +188,7 @@ private slots:
         QCOMPARE(valuesOf(opened).calls, QStringList{"frame"});
     }
 
-    void loopsSayWhichTurnTheyAreIn()
+    void loopsShowTheirIteration()
     {
         Opened opened("multi_foot", "any_number");
         Session &session = opened.session;
@@ -217,7 +217,7 @@ private slots:
         QCOMPARE(valuesOf(opened).calls, (QStringList{"frame", "depth", "depth"}));
         const LineStepper::Shown inner = session.lines().shown();
         QCOMPARE(std::get<std::int64_t>(*inner.frame->valueOf("n", inner.index)), 1);
-        // On the way back each call has its own values again.
+        // While the calls return, each call has its own values again.
         QVERIFY(session.lines().runTo(opened.lineOf("return below + 1")));
         QVERIFY(session.lines().runTo(opened.lineOf("return below + 1")));
         QVERIFY(session.lines().runTo(opened.lineOf("return below + 1")));
@@ -267,7 +267,7 @@ private slots:
         QCOMPARE(session.playback().breakHit()->sentence,
                  QString("Stopped at frame %1 before line %2: %3.")
                      .arg(QString::number(frame), QString::number(opened.lineOf("double angle")), condition));
-        // It comes true again in the next frame, where `from` is another variable.
+        // The condition becomes true again in the next frame, where `from` is another variable.
         const auto second = std::find_if(first + 1, values.end(), isBeyond);
         QCOMPARE(stop(), (sim::Cursor{second - values.begin(), 0}));
         session.lines().forward();

@@ -44,7 +44,7 @@ class ListingFileTest : public QObject
     Q_OBJECT
 
 private slots:
-    void codeComesBackExactly()
+    void codeSurvivesARoundTrip()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;
@@ -67,7 +67,7 @@ private slots:
         QVERIFY(sim::sameBits(other.session.timeline().state(), session.timeline().state()));
     }
 
-    void aDraftComesBackToo()
+    void draftSurvivesARoundTrip()
     {
         Opened opened("single_spring", "radial");
         Session &session = opened.session;

@@ -18,7 +18,7 @@ class TestListingPanel : public QObject
     Q_OBJECT
 
 private slots:
-    void theListingIsThePageOfAStepThatHasOne()
+    void stepWithAListingOpensOnTheListingPage()
     {
         const ListingFixture shown;
         QCOMPARE(shown.pages.page(), CodePages::Page::listing);
@@ -139,7 +139,7 @@ private slots:
         QVERIFY(shown.editor.values().chips.size() > 3);
     }
 
-    void aLoopSaysWhichTurnItIsIn()
+    void loopShowsItsIteration()
     {
         ListingFixture shown("multi_foot", "any_number");
         const int body = shown.line("Body foot = feet[i]");
@@ -246,7 +246,7 @@ private slots:
         QVERIFY(shown.view.picture() != with);
     }
 
-    void theMarkOfANameGoesWithItsStep()
+    void markOfANameDisappearsWithItsStep()
     {
         ListingFixture shown("codeling", "motor");
         shown.key(Qt::Key_Right);

@@ -1,4 +1,4 @@
-// The box of a task beside the listing: its buttons, sentences and hints, and where the learner writes.
+// The box of a task beside the listing: its buttons, sentences and hints, and the place for the learner's code.
 
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/lessons/lesson_list.h"
@@ -93,8 +93,8 @@ private slots:
     void init() { QSettings().clear(); }
 
     void tasksAreUnfoldedAndStartedWithTheMouse();
-    void aButtonAboveTheThingsToTryLeadsToTheTask();
-    void aTaskThatIsDoneTakesNoRowAboveTheThingsToTry();
+    void buttonAboveTheThingsToTryScrollsToTheTask();
+    void finishedTaskHasNoButtonAboveTheThingsToTry();
     void theLearnerTypesBelowTheComment_data();
     void theLearnerTypesBelowTheComment();
     void theCommentOfATaskIsInSight();
@@ -138,7 +138,7 @@ void TaskBoxTest::tasksAreUnfoldedAndStartedWithTheMouse()
     QVERIFY(world.texts("taskHint").isEmpty() && world.texts("taskSentence").isEmpty());
 }
 
-void TaskBoxTest::aButtonAboveTheThingsToTryLeadsToTheTask()
+void TaskBoxTest::buttonAboveTheThingsToTryScrollsToTheTask()
 {
     TaskPanelFixture world;
     auto &pointer = *world.panel.findChild<QToolButton *>("toTask");
@@ -159,7 +159,7 @@ void TaskBoxTest::aButtonAboveTheThingsToTryLeadsToTheTask()
     QTRY_COMPARE(pointer.isVisible(), !world.session.step().codeTasks.empty());
 }
 
-void TaskBoxTest::aTaskThatIsDoneTakesNoRowAboveTheThingsToTry()
+void TaskBoxTest::finishedTaskHasNoButtonAboveTheThingsToTry()
 {
     TaskPanelFixture world;
     const auto &toTask = *world.panel.findChild<QToolButton *>("toTask");

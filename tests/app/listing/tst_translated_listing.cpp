@@ -1,4 +1,4 @@
-// A learner's code in a window of another language than that in which it was written.
+// A learner's code that was written in one language of the window and is opened in another.
 
 #include "app/model/experiment/experiment.h"
 #include "app/model/listing/changed_lines.h"

@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(shown.editor.text(), changed);
     }
 
-    void undoRightAfterTypingTakesBackJustThat()
+    void undoRightAfterTypingRemovesOnlyTheTypedText()
     {
         ListingFixture shown;
         const QString original = shown.editor.text();
@@ -224,7 +224,7 @@ private slots:
         QCOMPARE(shown.editor.text(line).trimmed(), QString("foot.velocity *= 1;"));
     }
 
-    void outsideOfTheScreenNoNamesAreOffered()
+    void completionListIsNotOpenedOffScreen()
     {
         ListingFixture shown;
         shown.window.move(3000, 0);

@@ -7,7 +7,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-/// What the suites of branches share: a lesson whose runs are known in closed form, and a look at the list of branches.
+/// Shared by the suites of branches: a lesson whose runs are known in closed form.
 namespace branches_support {
 
 /// A foot that falls freely, beside a body that stands still. Semi-implicit Euler at a frame a step: after n frames from
@@ -57,7 +57,7 @@ struct World
         return all;
     }
     int newest() const { return session.comparisons().branches().all().back().id; }
-    /// The state of the run in use at a frame, computed from its script alone.
+    /// Returns the state of the current run at a frame, computed from its script alone.
     sim::State straight(std::int64_t frame) const
     {
         sim::Track track(session.timeline().script(), 0);

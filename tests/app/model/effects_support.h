@@ -10,7 +10,7 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/body_spring.h"
 
-/// What the suites of the ledger of effects share: small lessons.
+/// Shared by the suites of the ledger of effects: small lessons.
 namespace effects_support {
 
 /// A spring to the body that says what it ties.

@@ -51,7 +51,7 @@ inline void addMistakeColumns()
     QTest::addColumn<QString>("said");
 }
 
-/// Adds a row: `file` of the pendulum clock has `to` in place of `from`, and a sentence has `said` then.
+/// Adds a row: `file` of the pendulum clock has `to` in place of `from`, and the error contains `said`.
 inline void addMistake(const char *name, const char *file, const char *from, const QByteArray &to,
                        const char *said)
 {

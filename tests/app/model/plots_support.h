@@ -10,7 +10,7 @@
 #include "sim/methods/methods.h"
 #include "tests/app/support/two_lessons.h"
 
-/// What the suites of the plots share: one lesson whose steps have closed forms.
+/// Shared by the suites of plots: one lesson whose steps have closed forms.
 namespace plots_support {
 
 constexpr double gravity = 0.5;    ///< px/frame^2

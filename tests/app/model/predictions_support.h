@@ -4,12 +4,12 @@
 
 #include <vector>
 
-/// What the suites of predictions share: three predictions about lesson 1 whose runs are known.
+/// Shared by the suites of predictions: three predictions about lesson 1 whose runs are known.
 namespace predictions_support {
 
 using Asked = lessons::Question::Kind;
 
-/// The hand carries the foot 100 px to the right in 10 frames and lets go. Nothing pulls it.
+/// The foot is dragged 100 px to the right in 10 frames and released. Nothing pulls it.
 inline lessons::Prediction throwOfFoot()
 {
     lessons::Prediction one{"throw", "Where does it stop?"};
@@ -51,7 +51,7 @@ inline lessons::Prediction curveToCross()
     return one;
 }
 
-/// Returns x of the foot at each frame, by the two lines of the published program.
+/// Returns the x of the foot at each frame, computed by the two lines of the published program.
 inline std::vector<double> publishedX(double x, double k, double damp, int frames)
 {
     std::vector<double> all{x};

@@ -4,7 +4,7 @@
 
 #include <random>
 
-/// What a learner may do at random: every gesture that can be undone, at moments of a short run.
+/// Random gestures of a learner that can be undone, at random moments of a short run.
 class RandomGestures
 {
 public:
@@ -14,9 +14,9 @@ public:
     {
     }
 
-    /// Goes to a moment and does something there.
+    /// Goes to a random moment and makes a random gesture there.
     void act();
-    /// All that was done, for a message.
+    /// Returns all gestures, for a message.
     QString done() const { return m_done.join(QStringLiteral(", ")); }
 
 private:

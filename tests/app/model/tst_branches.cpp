@@ -1,4 +1,4 @@
-// Runs that were left for another one: gone back to with the same bits, named, kept and deleted.
+// Branches: going back gives the same bits, and branches can be named, kept and deleted.
 
 #include "tests/app/model/branches_support.h"
 
@@ -117,7 +117,7 @@ private slots:
         }
     }
 
-    void theRunThatIsLeftIsCalledByWhatMadeIt()
+    void branchIsNamedAfterTheChangeThatMadeIt()
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);
@@ -148,7 +148,7 @@ private slots:
         QVERIFY(world.names().contains("slow fall"));
     }
 
-    void aNameMayHaveMarksOfOurOwnTextsInIt()
+    void nameMayContainThePlaceholdersOfTranslatedTexts()
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);
@@ -158,7 +158,7 @@ private slots:
         QCOMPARE(world.names(), (QStringList{"50%2", "50%2 (2)"}));
     }
 
-    void twoOfOneNameAreTold()
+    void branchesWithEqualNamesAreDistinguished()
     {
         World world("tied");
         for (int i = 0; i < 3; ++i) {
@@ -174,7 +174,7 @@ private slots:
         QCOMPARE(world.names().back(), "before: your hand (2)");
     }
 
-    void theOldestGoesThatIsNotKept()
+    void oldestBranchThatIsNotKeptIsRemoved()
     {
         World world;
         QVERIFY(Branches::mostPassing >= 6);
@@ -226,7 +226,7 @@ private slots:
         session.comparisons().rename(branch, "mine");
         session.editor().goBackTo(branch);
         QCOMPARE(session.editor().undoStack().count(), 4);
-        session.comparisons().show(0); // a look, no deed
+        session.comparisons().show(0); // a change of the view, not an edit
         QCOMPARE(session.editor().undoStack().count(), 4);
         const sim::State old = world.at(50);
         QVERIFY(!sim::sameBits(old, changed));
@@ -262,7 +262,7 @@ private slots:
         }
     }
 
-    void aBranchIsNeverTheRunItself()
+    void runEqualToTheCurrentOneMakesNoBranch()
     {
         World world;
         world.session.playback().goTo({60, 0});
@@ -279,7 +279,7 @@ private slots:
         QCOMPARE(world.session.comparisons().branches().all().front().end, 60);
     }
 
-    void branchesWaitWhereTheirStepWasLeft()
+    void branchesReturnWithTheirStep()
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);
@@ -325,7 +325,7 @@ private slots:
                  QString("the light one"));
     }
 
-    void aFarBranchComesInSlicesAndCanBeStopped()
+    void longBranchIsComputedInSlicesAndCanBeCancelled()
     {
         World world;
         Session &session = world.session;

@@ -1,4 +1,4 @@
-// What a session announces: one change per edit, and the first frame that it affects.
+// A session announces one change per edit, and the first frame that the edit affects.
 
 #include "app/model/session/session.h"
 #include "sim/scene/state.h"
@@ -28,8 +28,8 @@ private slots:
     void eachEditIsAnnouncedOnce();
     void statesBeforeTheFirstChangedFrameKeepTheirBits_data() { eachEditIsAnnouncedOnce_data(); }
     void statesBeforeTheFirstChangedFrameKeepTheirBits();
-    void messagesComeAfterTheChangeTheyTellOf();
-    void aListenerHearsOnlyTheKindsItAskedFor();
+    void messagesFollowTheChangeThatTheyDescribe();
+    void listenerGetsOnlyTheKindsOfItsSubscription();
 };
 
 /// A run that stands at frame 20 of 40, with an edit at frame 10.
@@ -109,7 +109,7 @@ void ChangesTest::statesBeforeTheFirstChangedFrameKeepTheirBits()
             qPrintable(QString::number(frame)));
 }
 
-void ChangesTest::messagesComeAfterTheChangeTheyTellOf()
+void ChangesTest::messagesFollowTheChangeThatTheyDescribe()
 {
     tests::SessionFixture fixture;
     prepare(fixture.session);
@@ -122,7 +122,7 @@ void ChangesTest::messagesComeAfterTheChangeTheyTellOf()
     QCOMPARE(heard.count("change"), 1);
 }
 
-void ChangesTest::aListenerHearsOnlyTheKindsItAskedFor()
+void ChangesTest::listenerGetsOnlyTheKindsOfItsSubscription()
 {
     tests::SessionFixture fixture;
     int selections = 0;

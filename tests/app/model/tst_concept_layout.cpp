@@ -1,4 +1,4 @@
-// The map of concepts without its window: what is known and can come next, mistakes, and where the drawing puts things.
+// The map of concepts without its window: known and next concepts, mistakes, and the layout.
 
 #include "app/model/learning/concept_map.h"
 #include "app/model/learning/layered_layout.h"
@@ -103,7 +103,7 @@ class ConceptLayoutTest : public QObject
     Q_OBJECT
 
 private slots:
-    void conceptsComeAfterWhatTheyRestOn();
+    void conceptsFollowTheirPrerequisites();
     void wrongReferencesAreLeftOut();
     void knownFollowsTheStepsThatAreDone();
     void aMistakeIsNamedWithItsFile_data();
@@ -112,8 +112,8 @@ private slots:
     void theLessonsHaveAboutThreeDozenConcepts();
     void edgesGoDown_data() { addGraphRows(); }
     void edgesGoDown();
-    void edgesThatFollowAreLeftOut_data() { addGraphRows(); }
-    void edgesThatFollowAreLeftOut();
+    void transitiveEdgesAreLeftOut_data() { addGraphRows(); }
+    void transitiveEdgesAreLeftOut();
     void nothingOverlaps_data() { addGraphRows(); }
     void nothingOverlaps();
     void theSameGraphIsDrawnTheSame();
@@ -123,7 +123,7 @@ private:
     static void addGraphRows();
 };
 
-void ConceptLayoutTest::conceptsComeAfterWhatTheyRestOn()
+void ConceptLayoutTest::conceptsFollowTheirPrerequisites()
 {
     const ConceptMap map(
         lessonsWithConcepts({conceptOf("b", {"a"}), conceptOf("a")}, {conceptOf("c", {"b", "a"})}));
@@ -237,7 +237,7 @@ void ConceptLayoutTest::edgesGoDown()
     }
 }
 
-void ConceptLayoutTest::edgesThatFollowAreLeftOut()
+void ConceptLayoutTest::transitiveEdgesAreLeftOut()
 {
     QFETCH(Bases, bases);
     QSet<std::pair<std::size_t, std::size_t>> wanted, drawn;

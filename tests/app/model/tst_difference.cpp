@@ -27,7 +27,7 @@ class DifferenceTest : public QObject
     Q_OBJECT
 
 private slots:
-    void twoFallsPartAsTheSumSays_data()
+    void distanceOfTwoFallsMatchesTheClosedForm_data()
     {
         QTest::addColumn<int>("fork");
         QTest::addColumn<double>("gravity");
@@ -36,7 +36,7 @@ private slots:
         QTest::newRow("upwards") << 17 << 0.125;
     }
 
-    void twoFallsPartAsTheSumSays()
+    void distanceOfTwoFallsMatchesTheClosedForm()
     {
         QFETCH(int, fork);
         QFETCH(double, gravity);
@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(series.largest()->distance, apart(0.25, 30, 60));
     }
 
-    void itGrowsWithTheRunAndForgetsWhatChanged()
+    void seriesGrowsWithTheRunAndFollowsChanges()
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);
@@ -157,7 +157,7 @@ private slots:
         QVERIFY(differenceSentence(series).contains("every"));
     }
 
-    void nothingIsLookedAtWhileNobodyWatches()
+    void inactiveSeriesReadsNothing()
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);

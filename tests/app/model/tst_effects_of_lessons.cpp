@@ -1,4 +1,4 @@
-// Every effect of every step of every lesson: what it is for, and that the step can be seen and run without it.
+// Every effect of every lesson has a description, and its step can be shown and run without it.
 
 #include "app/model/session/session.h"
 #include "lessons/api/view/view.h"
@@ -76,9 +76,9 @@ private slots:
         }
     }
 
-    void nothingThatHoldsMeansNoLinks_data() { steps(); }
+    void noLinksAreDrawnWithoutTheirEffects_data() { steps(); }
 
-    void nothingThatHoldsMeansNoLinks()
+    void noLinksAreDrawnWithoutTheirEffects()
     {
         open();
         std::set<QString> holding;
@@ -96,7 +96,7 @@ private slots:
         QCOMPARE(linksOf(*m_session->presentation().picture().view), links);
     }
 
-    /// Whatever bounces is drawn by the effect that it bounces off.
+    /// A room or a ground is drawn only with the effect that bodies bounce off.
     void noContactsMeanNoRoomAndNoGround_data() { steps(); }
 
     void noContactsMeanNoRoomAndNoGround()

@@ -1,4 +1,4 @@
-// The words that the lessons bring with them, and where they stand in texts.
+// The words that the lessons explain, and their mentions in texts.
 
 #include "app/model/text/glossary.h"
 #include "tests/suite.h"
@@ -57,12 +57,12 @@ private slots:
     void mentionsAreTheFirstWholeWords();
     void theSearchFindsNamesBeforeMeanings_data();
     void theSearchFindsNamesBeforeMeanings();
-    void ofTwoWordsWithOneNameTheFirstCounts();
+    void firstOfTwoEqualWordsIsUsed();
     void everyWordIsExplainedShortly();
-    void everyWordStandsInTheTextThatTeachesIt();
+    void everyWordOccursInTheTextThatTeachesIt();
     void theRadiusOfADiscIsNoRestLength();
-    void theLessonsTeachTheWordsThatTheyCannotDoWithout_data();
-    void theLessonsTeachTheWordsThatTheyCannotDoWithout();
+    void lessonsExplainTheEssentialWords_data();
+    void lessonsExplainTheEssentialWords();
 };
 
 void GlossaryTest::mentionsAreTheFirstWholeWords_data()
@@ -116,7 +116,7 @@ void GlossaryTest::theSearchFindsNamesBeforeMeanings()
     QCOMPARE(names, found);
 }
 
-void GlossaryTest::ofTwoWordsWithOneNameTheFirstCounts()
+void GlossaryTest::firstOfTwoEqualWordsIsUsed()
 {
     const Glossary glossary(teaching({{"Spring", "spring", "First."}, {"spring", "coil", "Second."}}));
     QCOMPARE(glossary.entries().size(), 1u);
@@ -136,7 +136,7 @@ void GlossaryTest::everyWordIsExplainedShortly()
     }
 }
 
-void GlossaryTest::everyWordStandsInTheTextThatTeachesIt()
+void GlossaryTest::everyWordOccursInTheTextThatTeachesIt()
 {
     for (const GlossaryEntry &one : m_glossary.entries()) {
         if (one.term.forms.isEmpty())
@@ -162,7 +162,7 @@ void GlossaryTest::theRadiusOfADiscIsNoRestLength()
     QCOMPARE(names, QStringList{"Radius of a disc"});
 }
 
-void GlossaryTest::theLessonsTeachTheWordsThatTheyCannotDoWithout_data()
+void GlossaryTest::lessonsExplainTheEssentialWords_data()
 {
     QTest::addColumn<QString>("name");
     for (const char *name : {"Spring", "Stiffness", "Damping", "Rest length", "Step", "Phase", "Frame",
@@ -171,7 +171,7 @@ void GlossaryTest::theLessonsTeachTheWordsThatTheyCannotDoWithout_data()
         QTest::newRow(name) << name;
 }
 
-void GlossaryTest::theLessonsTeachTheWordsThatTheyCannotDoWithout()
+void GlossaryTest::lessonsExplainTheEssentialWords()
 {
     QFETCH(QString, name);
     QVERIFY(m_glossary.find(name));

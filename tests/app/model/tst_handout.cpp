@@ -1,4 +1,4 @@
-// A lesson on paper: it has all that a learner needs, asks before it answers, and can be cancelled.
+// A printed lesson has everything that a learner needs, asks before it answers, and can be cancelled.
 
 #include "app/model/handout/handout.h"
 #include "app/model/handout/paper.h"
@@ -41,7 +41,7 @@ private slots:
     void picturesShowWherePredictionsBeginAndEnd();
     void aTaskHasALineForEachLineOfItsSolutionUpToAPage();
     void curvesAreDrawn();
-    void itStopsWhenCancelled();
+    void handoutStopsWhenCancelled();
     void theFileIsAPdf();
     void noHeadingStandsAloneAtTheEndOfAPage();
 };
@@ -169,7 +169,7 @@ void HandoutTest::curvesAreDrawn()
     QVERIFY(curves > 0);
 }
 
-void HandoutTest::itStopsWhenCancelled()
+void HandoutTest::handoutStopsWhenCancelled()
 {
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     QTextDocument document;

@@ -1,4 +1,4 @@
-// Work in slices: all of it is done, and a hand that moves the cursor comes first.
+// Work in slices: all slices are run, and moves of the cursor have priority.
 
 #include "app/model/run/idle_task.h"
 #include "tests/suite.h"
@@ -12,7 +12,7 @@ using namespace app;
 
 namespace {
 
-/// Work of so many slices, and how long each of them could take.
+/// Work of some slices, and the time that each slice was given.
 struct Work
 {
     explicit Work(int slices) : left(slices) {}
@@ -26,7 +26,7 @@ struct Work
     }};
 
     bool isDone() { return left <= 0 && !later.isDue(); }
-    bool comesToItsEnd()
+    bool finishes()
     {
         return QTest::qWaitFor([this] { return isDone(); });
     }
@@ -39,29 +39,29 @@ class TestIdleTask : public QObject
     Q_OBJECT
 
 private slots:
-    void allOfItIsDone()
+    void allSlicesAreRun()
     {
         Work work(5);
         work.later.run();
         QCOMPARE(work.taken.size(), std::size_t(1));
         QVERIFY(work.later.isDue());
-        QVERIFY(work.comesToItsEnd());
+        QVERIFY(work.finishes());
         QCOMPARE(work.taken.size(), std::size_t(5));
     }
 
-    void aMoveTakesLittleAtOnceAndLittleAfterABreath()
+    void slicesGrowWhenTheUserPauses()
     {
         Work work(4);
         work.later.runWhileMoved();
         QVERIFY(work.later.isDue());
-        QVERIFY(work.comesToItsEnd());
+        QVERIFY(work.finishes());
         QCOMPARE(work.taken.size(), std::size_t(4));
         QVERIFY(work.taken[0] < work.taken[1]);
         QVERIFY(work.taken[1] < work.taken[2]);
         QCOMPARE(work.taken[3], work.taken[2]);
     }
 
-    void aHandThatMovesOnDoesNotPutItOffForEver()
+    void workContinuesDuringEndlessInput()
     {
         Work work(1'000'000);
         work.later.runWhileMoved();

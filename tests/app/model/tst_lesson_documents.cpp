@@ -1,4 +1,4 @@
-// Documents of lessons from a folder: the window follows them as they are written.
+// Documents of lessons from a folder: the window reloads them when they change.
 
 #include "app/model/catalog/lesson_documents.h"
 #include "app/model/session/session.h"
@@ -33,7 +33,7 @@ struct DocumentFolder
         return tests::contentsOf(":/documents/two_body/" + name);
     }
 
-    /// Saves a document as an editor does: in another file first.
+    /// Saves a document like an editor: writes another file first, then renames it.
     void write(const QByteArray &text, const QString &name) const
     {
         QSaveFile file(folder.filePath("two_body/" + name));
@@ -61,8 +61,8 @@ class LessonDocumentsTest : public QObject
 private slots:
     void aDocumentInTheFolderReplacesTheEmbeddedOne();
     void theLanguageOfTheWindowIsShown();
-    void aChangeIsFollowedAndTheRunStays();
-    void aMistakeIsToldAndTheLastGoodTextStays();
+    void changedDocumentIsReloadedAndTheRunStays();
+    void mistakeIsReportedAndTheLastGoodTextStays();
     void theQuestionsOfALessonAreFollowed();
     void thePrerequisitesOfConceptsAreChecked();
     void withoutAFolderNothingChanges();
@@ -89,7 +89,7 @@ void LessonDocumentsTest::theLanguageOfTheWindowIsShown()
     QCOMPARE(lessons.step().title, QString("Deutsch"));
 }
 
-void LessonDocumentsTest::aChangeIsFollowedAndTheRunStays()
+void LessonDocumentsTest::changedDocumentIsReloadedAndTheRunStays()
 {
     DocumentFolder lessons;
     lessons.save("# One");
@@ -108,7 +108,7 @@ void LessonDocumentsTest::aChangeIsFollowedAndTheRunStays()
     QCOMPARE(session.timeline().cursor().frame, std::int64_t{7});
 }
 
-void LessonDocumentsTest::aMistakeIsToldAndTheLastGoodTextStays()
+void LessonDocumentsTest::mistakeIsReportedAndTheLastGoodTextStays()
 {
     DocumentFolder lessons;
     lessons.save("# One");

@@ -79,14 +79,14 @@ class TestLessonFolders : public QObject
     Q_OBJECT
 
 private slots:
-    void theExamplesDoWhatTheySay_data()
+    void examplesPassTheirCheck_data()
     {
         QTest::addColumn<QString>("example");
         QTest::newRow("pendulum clock") << pendulum;
         QTest::newRow("caterpillar") << caterpillar;
     }
 
-    void theExamplesDoWhatTheySay()
+    void examplesPassTheirCheck()
     {
         QFETCH(QString, example);
         const LessonEntry lesson = lessonOf(filesOf(example), "en", builtIn());
@@ -103,7 +103,7 @@ private slots:
         QCOMPARE(kinds.size(), std::size_t(5)); // all but levels
     }
 
-    void aPendulumKeepsTheTimeOfTheFormula_data()
+    void periodOfAPendulumMatchesTheFormula_data()
     {
         QTest::addColumn<QString>("step");
         QTest::addColumn<QString>("body");
@@ -117,7 +117,7 @@ private slots:
                                << "short" << 400.0 << 60.0;
     }
 
-    void aPendulumKeepsTheTimeOfTheFormula()
+    void periodOfAPendulumMatchesTheFormula()
     {
         QFETCH(QString, step);
         QFETCH(QString, body);
@@ -281,7 +281,7 @@ private slots:
         QVERIFY2(failures.join('\n').contains(said), qPrintable(failures.join('\n')));
     }
 
-    void aLessonComesBackFromItsZip()
+    void lessonCanBeReadFromItsZip()
     {
         const QTemporaryDir dir;
         const QString file = dir.filePath("clock" + lessonEnding);
@@ -409,7 +409,7 @@ private slots:
         QCOMPARE(&with.entry(with.entries() - 1), &with.yours.back());
         QCOMPARE(with.lesson(pendulum)->source, QFileInfo(examplesFolder + pendulum).canonicalFilePath());
         QVERIFY(with.lesson(pendulum)->step("two")->points == lessons::PointSource::step);
-        // An experiment in such a lesson is saved and read as in any other.
+        // An experiment of a lesson without C++ is saved and read like any other.
         Experiment experiment = newExperiment(pendulum, "two", with);
         experiment.script.values.set("gravity", 0.05);
         const QByteArray text = experimentText(experiment, with);

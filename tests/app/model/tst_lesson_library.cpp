@@ -26,7 +26,7 @@ private slots:
         QVERIFY(!library.lesson("double_spring"));
     }
 
-    void aLessonWhoseSceneIsBuiltIsNoneOfTheLessons()
+    void sandboxIsNotListedAmongTheLessons()
     {
         const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
         QCOMPARE(library.lessons.size(), std::size_t(10));
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(library.lessons.empty() && library.problems.empty());
     }
 
-    void ofTwoWithOneIdTheFirstCounts()
+    void firstOfTwoLessonsWithOneIdIsUsed()
     {
         const QTemporaryDir folder;
         QVERIFY(QFile::copy(QDir(LESSON_DIR).filePath("liblesson_single_spring.so"),

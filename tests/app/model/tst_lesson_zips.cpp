@@ -178,7 +178,7 @@ private slots:
     void aDamagedZipIsNamed_data();
     void aDamagedZipIsNamed();
     void aZipWithFoldersOnlyIsEmpty();
-    void textsAtRandomAreRefusedWithASentence();
+    void randomlyChangedTextsAreReadOrRefusedWithASentence();
     void namesOfFilesStayOnOneLine();
 };
 
@@ -259,7 +259,7 @@ void TestLessonZips::aZipWithFoldersOnlyIsEmpty()
     QVERIFY2(refusal.contains("the zip is empty"), qPrintable(refusal));
 }
 
-void TestLessonZips::textsAtRandomAreRefusedWithASentence()
+void TestLessonZips::randomlyChangedTextsAreReadOrRefusedWithASentence()
 {
     std::minstd_rand random(22);
     const auto below = [&random](qsizetype end) {

@@ -1,4 +1,4 @@
-// What is measured of a run, and how it is shown.
+// The measures of a run, and how they are shown.
 
 #include "lessons/api/view/view.h"
 #include "tests/app/scene/drawn_scenes.h"
@@ -76,7 +76,7 @@ lessons::Step plain()
     return drawn_scenes::step("plain", scene, drawn_scenes::feetOnly(scene));
 }
 
-/// A step that looks at its run as a whole. Its run is exact, so that only the price decides.
+/// A step that measures its whole run. The run is exact, so only its cost decides.
 lessons::Step whole()
 {
     sim::Scene scene = scenes::pointsAt({{glideStart, 100}});
@@ -114,7 +114,7 @@ struct MeasuredRun
     MeasureSeries series{session.run()};
     Theme theme{Scheme::light};
 
-    /// Goes there, and waits until all is measured.
+    /// Goes to a frame, and waits until everything is measured.
     bool goTo(std::int64_t frame)
     {
         session.playback().goTo({frame, 0});
@@ -189,7 +189,7 @@ private slots:
         QCOMPARE(stances.of(1).front().from, std::int64_t(glideStride));
     }
 
-    void stancesThatAreReadAsTheyComeAreTheSame()
+    void incrementalStancesEqualFreshOnes()
     {
         MeasuredRun fixture;
         Stances followed;
@@ -216,7 +216,7 @@ private slots:
         QVERIFY(same());
     }
 
-    void theFeetDiagramTellsWhoStandsAndGoesThere()
+    void feetDiagramShowsStancesAndAClickGoesToItsFrame()
     {
         MeasuredRun fixture;
         TimelineStrip timeline(fixture.session, fixture.theme);
@@ -243,7 +243,7 @@ private slots:
         QVERIFY(strip.isHidden());
     }
 
-    void theMeasuresStandAtTheCursor()
+    void measuresShowTheFrameOfTheCursor()
     {
         MeasuredRun fixture;
         MeasurePanel panel(fixture.session.run(), fixture.session.playback(), fixture.session.preview(),
@@ -277,7 +277,7 @@ private slots:
         QCOMPARE(overlays[0].a, (sim::Vec2{20.0, 0.5}));
     }
 
-    void aTryWithABudgetIsDoneByARunThatKeepsIt()
+    void runWithinItsBudgetTicksTheThingToTry()
     {
         MeasuredRun fixture;
         fixture.session.progress().forgetLesson("lesson");
@@ -294,7 +294,7 @@ private slots:
         QVERIFY(done(3));
     }
 
-    void nothingIsMeasuredWhereNothingIsAsked()
+    void stepWithoutMeasuresMeasuresNothing()
     {
         MeasuredRun fixture;
         fixture.session.openStep("lesson", "plain");

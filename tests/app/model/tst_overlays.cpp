@@ -1,4 +1,4 @@
-// Which of a step's explaining lines are drawn.
+// The overlays of a step that are drawn.
 
 #include "app/model/picture/overlays.h"
 #include "lessons/api/view/view.h"

@@ -1,4 +1,4 @@
-// Quantities of a run against closed forms and published trajectories, and the tables that are saved of them.
+// Quantities of a run against closed forms and published trajectories, and their saved tables.
 
 #include "app/model/experiment/experiment.h"
 #include "app/model/series/number_table.h"
@@ -126,14 +126,14 @@ private slots:
         QVERIFY(fastest > 0.99 * whole);
     }
 
-    void placesAndVelocitiesAreThePublishedOnes_data()
+    void positionsAndVelocitiesMatchThePublishedOnes_data()
     {
         QTest::addColumn<QString>("path");
         for (const QFileInfo &info : QDir(TEST_DATA "/published").entryInfoList({"*.json"}))
             QTest::newRow(qPrintable(info.completeBaseName())) << info.absoluteFilePath();
     }
 
-    void placesAndVelocitiesAreThePublishedOnes()
+    void positionsAndVelocitiesMatchThePublishedOnes()
     {
         QFETCH(QString, path);
         static const LessonLibrary lessons = LessonLibrary::load(LessonLibrary::folders());
@@ -255,7 +255,7 @@ private slots:
         sim::Track track(scriptOf("fall"), 0);
         track.seek({20'000, 0});
         QCOMPARE(lines[20'001].split(',')[1].toDouble(),
-                 track.state().positionOf(0).y); // the very same number
+                 track.state().positionOf(0).y); // exactly the same number
         QCOMPARE(lines[20'001].split(',')[0], QString("20000"));
     }
 

@@ -1,4 +1,4 @@
-// What plots keep of a run: samples, windows, and how they follow a session.
+// The samples and ranges that plots keep of a run, and how they follow a session.
 
 #include "app/model/series/plot_list.h"
 #include "app/model/series/plot_series.h"
@@ -32,7 +32,7 @@ struct PlottedRun
         session.playback().goTo({frame, 0});
         return QTest::qWaitFor([&] { return !session.playback().goal() && !series.isReading(); }, 20'000);
     }
-    /// Whether each bucket holds what the run itself has at its first frame.
+    /// Returns whether each bucket has the run's values at the bucket's first frame.
     bool isRight(const Samples &samples, const sim::Track &track)
     {
         for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -121,7 +121,7 @@ private slots:
         QVERIFY(samples.isEmpty());
     }
 
-    void aWindowHasTheCursorAndStandsStillAsLongAsItDoes()
+    void windowContainsTheCursorAndMovesOnlyWhenItMust()
     {
         std::mt19937 random(3);
         PlotWindow window;
@@ -147,7 +147,7 @@ private slots:
         }
     }
 
-    void aRangeHoldsItsNumbersAndIsQuiet()
+    void rangeContainsItsNumbersAndSeldomChanges()
     {
         PlotRange range;
         int changes = 0;
@@ -165,7 +165,7 @@ private slots:
         QVERIFY(flat.low < 200.0 && flat.high > 200.0);
     }
 
-    void samplesAreTheRunItself()
+    void samplesEqualTheRun()
     {
         PlottedRun fixture;
         QVERIFY(fixture.isThere(300));
@@ -197,7 +197,7 @@ private slots:
         QVERIFY(fixture.series.comparison().isEmpty());
     }
 
-    void aHandThatDragsWhileTheRunStandsIsFollowed()
+    void dragInThePastIsFollowed()
     {
         PlottedRun fixture;
         QVERIFY(fixture.isThere(100));
@@ -229,7 +229,7 @@ private slots:
         QCOMPARE(fixture.series.now()[0], fallFrom + gravity * 11.0 * 12.0 / 2.0);
     }
 
-    void plotsOfTheSelectedBodyAreReadAnew()
+    void selectingABodyReloadsItsPlots()
     {
         PlottedRun fixture;
         QVERIFY(fixture.isThere(60));
@@ -264,7 +264,7 @@ private slots:
         }
     }
 
-    void nothingIsReadWhileNobodyLooks()
+    void inactiveSeriesReadsNothing()
     {
         PlottedRun fixture;
         QVERIFY(fixture.isThere(50));
@@ -283,7 +283,7 @@ private slots:
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("y");
         QTest::addColumn<QString>("shown");
-        // A point on a spring to (0, 0), which lets go of it at this place.
+        // A point is released here, on a spring to (0, 0).
         QTest::newRow("across") << 80.0 << 0.0 << "x";
         QTest::newRow("down") << 0.0 << 80.0 << "y";
         QTest::newRow("aslant") << 80.0 << 80.0 << "y";
@@ -337,7 +337,7 @@ private slots:
         QCOMPARE(list.plots().size(), PlotList::most);
     }
 
-    void settingsThatMakeNoSenseAreLeftOut()
+    void invalidSettingsAreIgnored()
     {
         QSettings settings;
         settings.beginWriteArray("plots/list", 3);

@@ -1,4 +1,4 @@
-// The desk at which a learner predicts, and her notes.
+// Predictions of a learner, and the notes that are kept of them.
 
 #include "app/model/learning/prediction_desk.h"
 #include "app/model/learning/prediction_text.h"
@@ -66,15 +66,15 @@ private slots:
     void undoBringsTheLearnersOwnRunBack();
     void aNoteIsKeptAndShownAgain();
     void predictingAgainStartsOver();
-    void aChangeOfTheRunInterruptsIt();
-    void anotherStepEndsIt();
+    void changingTheRunInterruptsThePrediction();
+    void openingAnotherStepEndsThePrediction();
     void pausingDoesNotLoseTheEnd();
     void newTextsOfTheStepAreFollowed();
     void theRunOfAPredictionTicksNothing();
     void theRunOfAPredictionSaysWhyNothingCountsInIt();
     void changesByThePredictionAreNotTickedWhenTheLearnerGoesOn();
     void changesByThePredictionAreNotTickedWhenTheRunComesBack();
-    void aPlaceIsPickedAtTheBeginningOfTheRun();
+    void positionIsPickedAtTheStartOfTheRun();
     void outcomesAreSentences_data();
     void outcomesAreSentences();
 };
@@ -96,7 +96,7 @@ void PredictionsTest::committingPlaysTheRunToItsEnd()
     QVERIFY(!fixture.session.playback().isPlaying());
     QVERIFY(fixture.session.timeline().state().position(0, 0) < 270.0);
     QCOMPARE(fixture.desk.sheet("past").found->number, static_cast<double>(end));
-    // The end holds once only.
+    // The run is held only the first time that it reaches the end.
     fixture.session.playback().play();
     QTRY_VERIFY_WITH_TIMEOUT(fixture.frame() > end + 5, 30'000);
 }
@@ -152,7 +152,7 @@ void PredictionsTest::predictingAgainStartsOver()
     QCOMPARE(fixture.session.notes().find("single_spring/fixed_centre/predict:past")->said, QString("9"));
 }
 
-void PredictionsTest::aChangeOfTheRunInterruptsIt()
+void PredictionsTest::changingTheRunInterruptsThePrediction()
 {
     PredictionFixture fixture("fixed_centre");
     QVERIFY(fixture.knows("past"));
@@ -170,7 +170,7 @@ void PredictionsTest::aChangeOfTheRunInterruptsIt()
     QCOMPARE(fixture.frame(), fixture.desk.truth("past")->end);
 }
 
-void PredictionsTest::anotherStepEndsIt()
+void PredictionsTest::openingAnotherStepEndsThePrediction()
 {
     PredictionFixture fixture("fixed_centre");
     QVERIFY(fixture.knows("past"));
@@ -285,7 +285,7 @@ void PredictionsTest::changesByThePredictionAreNotTickedWhenTheRunComesBack()
     QVERIFY(fixture.isTicked(0));
 }
 
-void PredictionsTest::aPlaceIsPickedAtTheBeginningOfTheRun()
+void PredictionsTest::positionIsPickedAtTheStartOfTheRun()
 {
     PredictionFixture fixture("drag");
     QVERIFY(fixture.knows("throw"));

@@ -1,4 +1,4 @@
-// Looking at another moment of a run: what is shown there, and that nothing of the run changes by it.
+// A preview shows another moment of a run and changes nothing of the run.
 
 #include "app/model/session/session.h"
 #include "tests/suite.h"
@@ -42,7 +42,7 @@ struct DraggedRun
         session.playback().goTo({frame, 0});
         QVERIFY(QTest::qWaitFor([&] { return !session.playback().goal(); }));
     }
-    /// The state there, computed from the script alone.
+    /// Returns the state at a cursor, computed from the script alone.
     sim::State straight(sim::Cursor at) const
     {
         sim::Track track(session.timeline().script(), 0);
@@ -53,7 +53,7 @@ struct DraggedRun
     Session session{installedLessons()};
 };
 
-/// All that a glance must leave alone.
+/// Everything that a preview must not change.
 struct SessionSnapshot
 {
     explicit SessionSnapshot(const Session &session)

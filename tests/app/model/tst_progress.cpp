@@ -1,4 +1,4 @@
-// What was tried stays ticked: in this program, and when it is started again.
+// Ticks are kept while the program runs and after a restart.
 
 #include "app/model/catalog/progress.h"
 #include "tests/suite.h"

@@ -1,4 +1,4 @@
-// The judge of projects: each level of each lesson can be passed, and is not passed by the scene that it starts with.
+// The judge of projects. A solution passes each level of each lesson, and the start scene does not.
 
 #include "app/model/experiment/experiment.h"
 #include "app/model/learning/project_judge.h"

@@ -1,4 +1,4 @@
-// How messages write names: nothing in them breaks the line, steers a terminal, or goes on for pages.
+// Names in messages never break the line, control a terminal, or fill pages.
 
 #include "app/model/text/quoting.h"
 #include "app/model/text/user_error.h"
@@ -47,7 +47,7 @@ private slots:
     {
         QCOMPARE(quoted(QString(40, 'a')), '"' + QString(40, 'a') + '"');
         QCOMPARE(quoted(QString(41, 'a')), '"' + QString(40, 'a') + QChar(0x2026) + '"');
-        // Never in the middle of an escape, or of a letter.
+        // The cut is never within an escape sequence or a letter.
         QCOMPARE(quoted(QString(38, 'a') + "\x1b[0m"), '"' + QString(38, 'a') + QChar(0x2026) + '"');
         QCOMPARE(quoted(QString(39, 'a') + QString::fromUtf8("🐛🐛")),
                  '"' + QString(39, 'a') + QChar(0x2026) + '"');

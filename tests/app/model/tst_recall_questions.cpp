@@ -1,4 +1,4 @@
-// The recall questions of the lessons: their scenes fit, and what is asked for can be done. What the desk keeps.
+// The recall questions of the lessons: their scenes fit, each can be answered, and answers are kept.
 
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/recall_desk.h"
@@ -17,7 +17,7 @@ using namespace app;
 
 namespace {
 
-/// What a learner does to answer a question in its scene.
+/// The actions of a learner who answers a question in its scene.
 struct RecallSolution
 {
     const char *lesson;
@@ -57,7 +57,7 @@ const lessons::RecallQuestion &questionOf(const LessonEntry &lesson, const QStri
     return found == all.end() ? all.front() : *found;
 }
 
-/// Does one frame after the other until the desk says that it is done, at most `frames`.
+/// Steps through the frames until the question is answered, at most `frames` of them.
 void goOn(Session &session, const RecallDesk &desk, int frames)
 {
     for (int i = 0; i < frames && !desk.isDone(); ++i)
@@ -126,15 +126,15 @@ private slots:
     void aSceneThatDoesNotFitIsNamed();
     void theSolutionOfEachQuestionIsAccepted_data();
     void theSolutionOfEachQuestionIsAccepted();
-    void anythingElseIsNotAccepted_data();
-    void anythingElseIsNotAccepted();
+    void wrongAttemptsAreNotAccepted_data();
+    void wrongAttemptsAreNotAccepted();
     void everySceneHasASolutionHere();
-    void choicesAreShuffledAlwaysInTheSameWay();
+    void orderOfTheShuffledChoicesIsReproducible();
     void answersAreKeptAndCanBeChanged();
     void theSceneOpensWithItsValuesAndCanBeUndone();
-    void waitingIsNotDoing();
+    void waitingDoesNotAnswerAQuestion();
     void anotherStepEndsIt();
-    void itCanBeStartedAgain();
+    void questionCanBeStartedAgain();
 };
 
 void RecallQuestionsTest::everyQuestionFitsItsScene()
@@ -211,7 +211,7 @@ void RecallQuestionsTest::theSolutionOfEachQuestionIsAccepted()
     QCOMPARE(foundInNotebook(lesson.id, session), QString("shown"));
 }
 
-void RecallQuestionsTest::anythingElseIsNotAccepted_data()
+void RecallQuestionsTest::wrongAttemptsAreNotAccepted_data()
 {
     QTest::addColumn<RecallSolution>("attempt");
     const auto row = [](const char *name, const RecallSolution &attempt) { QTest::newRow(name) << attempt; };
@@ -227,7 +227,7 @@ void RecallQuestionsTest::anythingElseIsNotAccepted_data()
         {.lesson = "hard_cases", .question = "thirty", .body = "foot", .by = {-20, 0}, .frames = 120});
 }
 
-void RecallQuestionsTest::anythingElseIsNotAccepted()
+void RecallQuestionsTest::wrongAttemptsAreNotAccepted()
 {
     QFETCH(RecallSolution, attempt);
     const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
@@ -253,7 +253,7 @@ void RecallQuestionsTest::everySceneHasASolutionHere()
     }
 }
 
-void RecallQuestionsTest::choicesAreShuffledAlwaysInTheSameWay()
+void RecallQuestionsTest::orderOfTheShuffledChoicesIsReproducible()
 {
     QVector<int> firstPlaces(4, 0);
     for (int i = 0; i < 200; ++i) {
@@ -307,7 +307,7 @@ void RecallQuestionsTest::theSceneOpensWithItsValuesAndCanBeUndone()
     QVERIFY(session.editor().parameter("k") != 0.5);
 }
 
-void RecallQuestionsTest::waitingIsNotDoing()
+void RecallQuestionsTest::waitingDoesNotAnswerAQuestion()
 {
     const LessonLibrary library = lessonsWithQuestions(); // the condition always holds
     Session session(library);
@@ -325,7 +325,7 @@ void RecallQuestionsTest::waitingIsNotDoing()
     QCOMPARE(changes.count(), before + 1);
     QVERIFY(desk.isAnswered(library.lessons[0], *desk.question()));
     QCOMPARE(foundInNotebook("one", session), QString("shown"));
-    // Nor does a notebook count it: its run shows nothing where nothing was done.
+    // A notebook does not count it either: a run without input shows no answer.
     desk.startAgain();
     session.proofs().keep(RecallDesk::keyOf("one", "task"),
                           {.run = experimentLine(session.experiment(), library), .at = {20, 0}});
@@ -347,7 +347,7 @@ void RecallQuestionsTest::anotherStepEndsIt()
     QCOMPARE(session.step().id, QString("first"));
 }
 
-void RecallQuestionsTest::itCanBeStartedAgain()
+void RecallQuestionsTest::questionCanBeStartedAgain()
 {
     const LessonLibrary library = lessonsWithQuestions();
     Session session(library);

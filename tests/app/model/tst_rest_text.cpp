@@ -1,4 +1,4 @@
-// What the panel says a scene costs at rest, and that it is so.
+// The panel's sentence about rest: whether a scene is at rest, and what prevents it.
 
 #include "app/model/experiment/experiment.h"
 #include "app/model/session/session.h"
@@ -14,12 +14,12 @@ class RestWordsTest : public QObject
     Q_OBJECT
 
 private slots:
-    void theSentenceTellsWhatKeepsASceneAwake_data();
-    void theSentenceTellsWhatKeepsASceneAwake();
+    void sentenceSaysWhyASceneCannotRest_data();
+    void sentenceSaysWhyASceneCannotRest();
     void aSceneThatRestsSaysSo();
 };
 
-void RestWordsTest::theSentenceTellsWhatKeepsASceneAwake_data()
+void RestWordsTest::sentenceSaysWhyASceneCannotRest_data()
 {
     QTest::addColumn<QString>("lesson");
     QTest::addColumn<QString>("step");
@@ -39,7 +39,7 @@ void RestWordsTest::theSentenceTellsWhatKeepsASceneAwake_data()
         << "With a method that chooses its own steps, bodies at rest cost as much as moving ones.";
 }
 
-void RestWordsTest::theSentenceTellsWhatKeepsASceneAwake()
+void RestWordsTest::sentenceSaysWhyASceneCannotRest()
 {
     QFETCH(const QString, lesson);
     QFETCH(const QString, step);

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-/// What sim refuses is told in one sentence, with all that the learner has to know.
+/// Each error of sim gets one sentence with everything that the learner has to know.
 class Sentences : public QObject
 {
     Q_OBJECT
@@ -95,7 +95,7 @@ private slots:
             << "Stopped at frame 7: the method needs too many steps for the next frame. The strongest force "
                "acts on foot 3. Try a larger tolerance, or a method with fixed steps.";
     }
-    void aStopNamesThePullAndBothItsEnds()
+    void stopNamesTheSpringAndBothItsEnds()
     {
         sim::Stop stop;
         stop.frame = 7;

@@ -29,10 +29,10 @@ struct MonitoredRun
     {
         session.openStep(lesson, step);
     }
-    /// Waits until the reading is about the session as it is now.
+    /// Waits until the reading matches the session.
     const StabilityReading &settled()
     {
-        // A reading is taken from the loop of events.
+        // Readings are computed in the event loop.
         if (!QTest::qWaitFor([&] { return monitor.reading() && monitor.isCurrent(); }, 20'000))
             qFatal("no reading");
         return *monitor.reading();
@@ -63,19 +63,19 @@ class StabilityMonitorTest : public QObject
 private slots:
     void theReadingFollowsTheSession();
     void framesComputedLaterChangeNoReading();
-    void aBurstOfChangesGivesFewReadingsAndTheLastIsRight();
+    void manyQuickChangesGiveFewReadingsAndTheLastIsRight();
     void nothingIsReadWhileNothingChanges();
     void remediesAreComputedOnlyWhileTheyAreShown();
-    void adoptingARemedyMends_data();
-    void adoptingARemedyMends();
+    void adoptedRemedyMakesTheRunStable_data();
+    void adoptedRemedyMakesTheRunStable();
     void wordsSayWhatBoundsTheStep_data();
     void wordsSayWhatBoundsTheStep();
-    void aRemedySaysWhatComesOfIt();
-    void aStepThatHoldsWhereShorterOnesGrowIsSaid();
+    void remedyDescribesItsOutcome();
+    void verdictExplainsStableStepsThatAreLongerThanUnstableOnes();
     void theLimitOfARuleWithVelocitiesIsUnknown();
     void jumpsAreNamed();
-    void theMapHoldsWhereReadingsHold_data();
-    void theMapHoldsWhereReadingsHold();
+    void mapShowsGrowthWhereThePairDrifts_data();
+    void mapShowsGrowthWhereThePairDrifts();
     void theMapEndsWhenItIsNoLongerRequested();
     void thereIsNoMapWithoutStiffnessOrLimit();
     void earlierSettingsStayOnTheMap();
@@ -121,7 +121,7 @@ void StabilityMonitorTest::framesComputedLaterChangeNoReading()
     QCOMPARE(b.stability.limit, a.stability.limit);
 }
 
-void StabilityMonitorTest::aBurstOfChangesGivesFewReadingsAndTheLastIsRight()
+void StabilityMonitorTest::manyQuickChangesGiveFewReadingsAndTheLastIsRight()
 {
     MonitoredRun fixture;
     fixture.settled();
@@ -156,7 +156,7 @@ void StabilityMonitorTest::remediesAreComputedOnlyWhileTheyAreShown()
     QVERIFY(!fixture.settled().remedies.empty());
 }
 
-void StabilityMonitorTest::adoptingARemedyMends_data()
+void StabilityMonitorTest::adoptedRemedyMakesTheRunStable_data()
 {
     QTest::addColumn<QString>("lesson");
     QTest::addColumn<QString>("step");
@@ -175,7 +175,7 @@ void StabilityMonitorTest::adoptingARemedyMends_data()
                                           << "midpoint";
 }
 
-void StabilityMonitorTest::adoptingARemedyMends()
+void StabilityMonitorTest::adoptedRemedyMakesTheRunStable()
 {
     QFETCH(QString, lesson);
     QFETCH(QString, step);
@@ -241,7 +241,7 @@ void StabilityMonitorTest::wordsSayWhatBoundsTheStep_data()
                                 << QStringList{"The spring of foot sets the limit"};
 }
 
-void StabilityMonitorTest::aRemedySaysWhatComesOfIt()
+void StabilityMonitorTest::remedyDescribesItsOutcome()
 {
     const sim::MethodPtr euler = sim::findMethod("semi_implicit_euler");
     const auto outcome = [&](sim::Remedy::Kind kind, double share) {
@@ -272,7 +272,7 @@ void StabilityMonitorTest::wordsSayWhatBoundsTheStep()
         QVERIFY2(said.contains(part), qPrintable(said));
 }
 
-void StabilityMonitorTest::aStepThatHoldsWhereShorterOnesGrowIsSaid()
+void StabilityMonitorTest::verdictExplainsStableStepsThatAreLongerThanUnstableOnes()
 {
     StabilityReading reading;
     reading.method = sim::findMethod("explicit_euler");
@@ -318,14 +318,14 @@ void StabilityMonitorTest::jumpsAreNamed()
     QVERIFY(leftOutWords(free.settled()).isEmpty());
 }
 
-void StabilityMonitorTest::theMapHoldsWhereReadingsHold_data()
+void StabilityMonitorTest::mapShowsGrowthWhereThePairDrifts_data()
 {
     QTest::addColumn<MapPlane>("plane");
     QTest::addRow("step") << MapPlane::step;
     QTest::addRow("damping") << MapPlane::damping;
 }
 
-void StabilityMonitorTest::theMapHoldsWhereReadingsHold()
+void StabilityMonitorTest::mapShowsGrowthWhereThePairDrifts()
 {
     QFETCH(MapPlane, plane);
     MonitoredRun fixture;
@@ -338,7 +338,7 @@ void StabilityMonitorTest::theMapHoldsWhereReadingsHold()
             const double k = map.x.values[column], up = map.y.values[row];
             const bool isStep = plane == MapPlane::step;
             const double h = isStep ? up : 1.0, damp = isStep ? 0.9 : up;
-            // Told by hand: the drift of the pair. Its other pattern, one end against the other, may grow besides.
+            // The closed form is for the drift of the pair. The other mode of the pair may grow as well.
             const bool drifts = k * h * h > 2.0 * (std::pow(damp, -h) - 1.0);
             QVERIFY2(!drifts || map.at(column, row) > 1.0, qPrintable(QString("k %1, up %2").arg(k).arg(up)));
             drifting += drifts;

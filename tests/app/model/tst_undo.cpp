@@ -1,4 +1,4 @@
-// What a learner did to a run, undone and done again: always with the same bits.
+// Undo and redo of a learner's edits always give the same bits.
 
 #include "app/model/session/session.h"
 #include "tests/app/model/effects_support.h"
@@ -88,7 +88,7 @@ private slots:
         QVERIFY(sim::sameBits(session.timeline().state(), before));
     }
 
-    void restartingWhatNobodyTouchedIsGoingToTheStart()
+    void restartingAnUnchangedRunOnlyGoesToTheStart()
     {
         LegsWorld world;
         Session &session = world.session;
@@ -100,7 +100,7 @@ private slots:
         QVERIFY(session.comparisons().branches().all().empty());
     }
 
-    void repeatingDoesAgainWhatWasDone()
+    void repeatingReplaysTheRecordedInput()
     {
         LegsWorld world;
         Session &session = world.session;
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(session.timeline().cursor(), sim::Cursor{});
         QVERIFY(session.editor().hasInput());
         session.playback().pause();
-        session.playback().goTo({5, 0}); // the hand of then is seen
+        session.playback().goTo({5, 0}); // the recorded pointer is shown
         QVERIFY(session.input().recordedPointer());
         QVERIFY(*session.input().recordedPointer() == (sim::Vec2{310, 220}));
         session.playback().goTo({15, 0});
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(sim::sameBits(session.timeline().state(), before));
     }
 
-    void aBodyInTheHandIsLetGoBeforeItIsUndone()
+    void undoReleasesTheHeldBody()
     {
         LegsWorld world;
         Session &session = world.session;

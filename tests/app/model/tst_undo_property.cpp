@@ -1,4 +1,4 @@
-// Whatever was done in whatever step: undone, it has the bits of the start again; done again, those of the end.
+// After random edits of any step, undoing all gives the bits of the start, and redoing all those of the end.
 
 #include "tests/app/model/random_gestures.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int manyPoints = 500;
 
-/// A run as it is found: its script, and a state of it.
+/// A run's script and one of its states.
 struct Found
 {
     sim::Script script;
@@ -27,7 +27,7 @@ Found look(Session &session, std::int64_t frame)
     return {session.timeline().script(), session.timeline().state()};
 }
 
-/// Whether two lists have the same runs with the same names.
+/// Returns whether two lists have the same runs with the same names.
 bool sameList(const Branches &a, const Branches &b)
 {
     return std::equal(a.all().begin(), a.all().end(), b.all().begin(), b.all().end(),

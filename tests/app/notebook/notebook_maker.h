@@ -28,7 +28,7 @@ void tryAll(const QString &lesson, Record &record);
 /// Writes each task of a lesson in a right way, passes each level of its project, makes each prediction well, and makes each
 /// right choice.
 void doTheRest(const QString &lesson, Record &record);
-/// Returns the notebook of a learner who did all in a lesson. It is computed once.
+/// Returns the notebook of a learner who did everything in a lesson. It is computed once.
 const app::Notebook &notebookOfAll(const QString &lesson);
 
 /// Returns the entry of a notebook.

@@ -1,4 +1,4 @@
-// A notebook is checked by replaying its runs: what was done is shown, and what was changed by hand is found out.
+// A notebook is checked by replaying its runs, which detects changes by hand.
 
 #include "tests/app/notebook/notebook_maker.h"
 
@@ -104,7 +104,7 @@ private slots:
     void aForgeryIsFoundOut();
     void anAnswerIsChecked_data();
     void anAnswerIsChecked();
-    void answersCount();
+    void answersAreCollected();
     void aTickWithoutARunIsNamed();
     void anOldTickGetsItsRunWhenItIsDoneAgain();
     void aCancelledCheckSaysNothing();
@@ -212,13 +212,13 @@ void NotebookCheckTest::aForgeryIsFoundOut()
     QFETCH(Forgery, forge);
     Notebook book = notebookOfAll(usualLesson);
     const NotebookEntry forged = forge(book);
-    // Somebody who computes the seal again is found out by the replay.
+    // If the forger computes the seal again, the replay detects the change.
     const Notebook sealed = parseNotebook(notebookText(book), "a.springstep-notebook", allLessons());
     QVERIFY(sealed.isSealed);
     const NotebookFinding finding = *checkEntry(forged, allLessons());
     QCOMPARE(wordFor(finding.result), QString("not shown"));
     QVERIFY2(finding.why.endsWith('.') && !finding.why.contains('\n'), qPrintable(finding.why));
-    // And without that, the seal tells.
+    // Otherwise the seal detects it.
     const QString written = notebookText(notebookOfAll(usualLesson)),
                   seal = written.section("\"seal\": ", 1).left(66);
     const QString changed = notebookText(book), own = changed.section("\"seal\": ", 1).left(66);
@@ -287,7 +287,7 @@ void NotebookCheckTest::anAnswerIsChecked()
     QVERIFY(notebookTable({checked}).simplified().contains(" answer " + entry.id + ' ' + result));
 }
 
-void NotebookCheckTest::answersCount()
+void NotebookCheckTest::answersAreCollected()
 {
     Record record;
     const LessonEntry &lesson = *allLessons().lesson(usualLesson);

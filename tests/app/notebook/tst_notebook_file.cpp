@@ -207,7 +207,7 @@ void NotebookFileTest::aPathThatIsNoNotebookIsNamed()
     QVERIFY_THROWS_EXCEPTION(UserError, readNotebook(folder.filePath("none"), allLessons()));
     QFile large(folder.filePath("large"));
     QVERIFY(large.open(QIODevice::WriteOnly));
-    QVERIFY(large.resize(largestNotebook + 1)); // a file with a hole takes no room
+    QVERIFY(large.resize(largestNotebook + 1)); // a sparse file takes no space
     large.close();
     QVERIFY_THROWS_EXCEPTION(UserError, readNotebook(large.fileName(), allLessons()));
     QVERIFY_THROWS_EXCEPTION(UserError, writeWholeFile(folder.filePath("none/a"), "a"));

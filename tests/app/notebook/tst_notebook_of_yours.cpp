@@ -95,14 +95,14 @@ private slots:
         QVERIFY2(finding.result == NotebookFinding::Result::shown, qPrintable(finding.why));
     }
 
-    void anotherValueOfItIsFoundOut_data()
+    void changedParameterValueIsDetected_data()
     {
         QTest::addColumn<QByteArray>("value");
         QTest::addColumn<QString>("why");
         QTest::newRow("as it begins") << QByteArray("0.1") << "does not do it";
         QTest::newRow("out of its range") << QByteArray("0.3") << "it can be 0 to 0.2";
     }
-    void anotherValueOfItIsFoundOut()
+    void changedParameterValueIsDetected()
     {
         QFETCH(QByteArray, value);
         QFETCH(QString, why);

@@ -12,11 +12,11 @@
 /// Shared by the suites of the panel of accuracy.
 namespace accuracy_support {
 
-/// What a made-up study finds: a rung of a method of order p is off by h^p px times a constant and costs 1/h times
-/// another one, so that every answer can be told by hand. `published` is unstable at its first rung.
+/// Returns the results of a made-up study. A method of order p has an error of h^p px times a constant and a cost of
+/// 1/h times another constant, so every answer is known. `published` is unstable at its first level.
 sim::Accuracy madeUp(const sim::Script &script, const sim::StudyPlan &plan);
 
-/// A study that finds that, at once.
+/// A study that returns these results at once.
 app::StudyFunction madeUpAtOnce();
 
 /// A study that is told when to go on. It may be asked from any thread.
@@ -37,7 +37,7 @@ struct AccuracyFixture
     app::WorkPrecisionPlot &plot() { return panel.workPrecision(); }
     /// Waits until a study has ended.
     bool measured();
-    /// Where the row of `method` at `step` is drawn; fails the test where it is not.
+    /// Returns the position of the mark of `method` at `step`; fails the test if there is none.
     QPoint spotOf(const std::string &method, sim::StepSize step);
     std::string method() const { return world.session.timeline().script().method->id(); }
     sim::StepSize step() const { return world.session.timeline().script().step; }

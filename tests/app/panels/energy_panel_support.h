@@ -70,7 +70,7 @@ struct EnergyFixture : PanelFixture<EnergyPanel>
         }
         return rows;
     }
-    /// Returns 0 for an account without a line: nothing was ever booked there.
+    /// Returns the amount of an account; 0 without a line, because the account is still empty.
     double amount(const QString &id) const { return line(id) ? line(id)->amount : 0.0; }
 };
 

@@ -22,22 +22,22 @@ class AccuracyPanelTest : public QObject
     Q_OBJECT
 
 private slots:
-    void theCardNamesTheCheapestWayWithinTheTarget();
+    void verdictNamesTheCheapestSetupWithinTheTarget();
     void useItAdoptsTheCheapestWay();
-    void aClickOnASpotAdoptsItsMethodAndStep();
+    void clickOnAMarkAdoptsItsMethodAndStep();
     void hoverTellsAllAboutASpot();
     void arrowKeysWalkThroughTheSpotsAndEnterAdopts();
     void theTargetFollowsTheMouse();
     void theTargetFollowsPlusAndMinus();
-    void aTargetThatNothingReachesIsSaid();
+    void verdictSaysThatNoMethodReachesTheTarget();
     void aScreenReaderHearsWhatIsChosen();
     void cancelStopsAndMeasureAgainGoesOn();
-    void aSceneWithoutMotionHasAVerdictThatSaysSo();
+    void verdictSaysThatNothingMoves();
     void aBeginnerSeesThreeMethods();
-    void theTimeOfAFrameIsInSightIfItIsNear();
+    void axisIncludesTheTimeOfAFrameIfItIsNear();
     void allMethodsAreAClickAwayAndThatIsRemembered();
-    void theWayInUseIsAlwaysShown();
-    void theTellingMethodsAreTheCheapestAndTheMostExact();
+    void methodInUseIsAlwaysShown();
+    void representativeMethodsAreTheCheapestAndTheMostAccurate();
     void timesHaveOneUnit_data();
     void timesHaveOneUnit();
 };
@@ -81,7 +81,7 @@ void AccuracyPanelTest::aBeginnerSeesThreeMethods()
     QVERIFY(plot.height() > fixture.panel.height() / 2);
 }
 
-void AccuracyPanelTest::theTimeOfAFrameIsInSightIfItIsNear()
+void AccuracyPanelTest::axisIncludesTheTimeOfAFrameIfItIsNear()
 {
     const AccuracyFixture fixture;
     const sim::Accuracy made = accuracy_support::madeUp(fixture.world.session.step().script(), {});
@@ -122,7 +122,7 @@ void AccuracyPanelTest::allMethodsAreAClickAwayAndThatIsRemembered()
     QVERIFY(!again.showsAll());
 }
 
-void AccuracyPanelTest::theWayInUseIsAlwaysShown()
+void AccuracyPanelTest::methodInUseIsAlwaysShown()
 {
     AccuracyFixture fixture;
     fixture.panel.setShowsAll(false);
@@ -135,7 +135,7 @@ void AccuracyPanelTest::theWayInUseIsAlwaysShown()
     }
 }
 
-void AccuracyPanelTest::theTellingMethodsAreTheCheapestAndTheMostExact()
+void AccuracyPanelTest::representativeMethodsAreTheCheapestAndTheMostAccurate()
 {
     const auto row = [](const char *method, double error, double ns) {
         sim::AccuracyRow made;
@@ -150,7 +150,7 @@ void AccuracyPanelTest::theTellingMethodsAreTheCheapestAndTheMostExact()
                   row("velocity_verlet", 0.05, 30.0), row("midpoint", 0.04, 60.0), row("rk4", 1e-4, 90.0)};
     using Names = std::vector<std::string>;
     QCOMPARE(representativeMethods(found, "published", 0.1), (Names{"published", "velocity_verlet", "rk4"}));
-    // Where one method is both, the next most exact one of another order joins it.
+    // If one method is both, the next most accurate one of another order is added.
     QCOMPARE(representativeMethods(found, "published", 0.01), (Names{"published", "rk4", "midpoint"}));
     QCOMPARE(representativeMethods(found, "rk4", 0.01), (Names{"rk4", "midpoint", "semi_implicit_euler"}));
     QCOMPARE(representativeMethods({}, "rk4", 0.1), Names{"rk4"});
@@ -171,7 +171,7 @@ void AccuracyPanelTest::timesHaveOneUnit()
     QTEST(duration(ns), "shown");
 }
 
-void AccuracyPanelTest::theCardNamesTheCheapestWayWithinTheTarget()
+void AccuracyPanelTest::verdictNamesTheCheapestSetupWithinTheTarget()
 {
     AccuracyFixture fixture;
     QVERIFY(fixture.measured());
@@ -203,7 +203,7 @@ void AccuracyPanelTest::useItAdoptsTheCheapestWay()
     QVERIFY(fixture.panel.verdict().contains("Nothing cheaper than your setup"));
 }
 
-void AccuracyPanelTest::aClickOnASpotAdoptsItsMethodAndStep()
+void AccuracyPanelTest::clickOnAMarkAdoptsItsMethodAndStep()
 {
     AccuracyFixture fixture;
     QVERIFY(fixture.measured());
@@ -286,7 +286,7 @@ void AccuracyPanelTest::theTargetFollowsPlusAndMinus()
     QVERIFY(fixture.panel.verdict().contains("0.02 px"));
 }
 
-void AccuracyPanelTest::aTargetThatNothingReachesIsSaid()
+void AccuracyPanelTest::verdictSaysThatNoMethodReachesTheTarget()
 {
     AccuracyFixture fixture;
     QVERIFY(fixture.measured());
@@ -329,7 +329,7 @@ void AccuracyPanelTest::cancelStopsAndMeasureAgainGoesOn()
     QCOMPARE(fixture.puppet.begun.load(), 3);
 }
 
-void AccuracyPanelTest::aSceneWithoutMotionHasAVerdictThatSaysSo()
+void AccuracyPanelTest::verdictSaysThatNothingMoves()
 {
     sim::Accuracy still;
     still.span = still.horizon = 200;

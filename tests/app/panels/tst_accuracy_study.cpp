@@ -1,4 +1,4 @@
-// A study beside the window: when it runs, when it stops, what it keeps.
+// The accuracy study in the background: its start, its cancellation, and the results that it keeps.
 
 #include "sim/methods/methods.h"
 #include "tests/app/panels/accuracy_support.h"
@@ -33,19 +33,19 @@ class AccuracyStudyTest : public QObject
     Q_OBJECT
 
 private slots:
-    void nothingRunsUntilSomebodyWatches();
+    void inactiveStudyDoesNotRun();
     void anotherSceneDropsTheResultAndMeasuresAgainWhenItSettles();
     void anotherStepOfTheLessonDropsTheResult();
     void anotherMethodKeepsTheResult();
-    void aStepThatIsNoRungIsMeasured();
-    void lookingAwayStopsTheStudy();
+    void stepOutsideTheRefinementLevelsIsMeasured();
+    void deactivatingCancelsTheStudy();
     void closingWaitsForTheThread();
     void aRefusedSceneHasItsReason();
     void reportsComeAtMostTenTimesASecond();
     void methodsKeepTheirKindOfStep();
 };
 
-void AccuracyStudyTest::nothingRunsUntilSomebodyWatches()
+void AccuracyStudyTest::inactiveStudyDoesNotRun()
 {
     Puppet puppet;
     SessionFixture world;
@@ -91,7 +91,7 @@ void AccuracyStudyTest::anotherMethodKeepsTheResult()
     QCOMPARE(active.study.inUse()->setup.step, sim::StepSize::ofLength(0.5));
 }
 
-void AccuracyStudyTest::aStepThatIsNoRungIsMeasured()
+void AccuracyStudyTest::stepOutsideTheRefinementLevelsIsMeasured()
 {
     ActiveStudy active;
     QVERIFY(active.ends());
@@ -101,7 +101,7 @@ void AccuracyStudyTest::aStepThatIsNoRungIsMeasured()
     QTRY_COMPARE(active.puppet.begun.load(), 2);
 }
 
-void AccuracyStudyTest::lookingAwayStopsTheStudy()
+void AccuracyStudyTest::deactivatingCancelsTheStudy()
 {
     ActiveStudy active;
     active.puppet.held = true;

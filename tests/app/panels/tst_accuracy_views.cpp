@@ -1,4 +1,4 @@
-// The views of accuracy: the plots, what they are saved as, and what is said about their numbers.
+// The views of the accuracy panel: their plots, their exports, and the remarks on their numbers.
 
 #include "app/model/text/accuracy_text.h"
 #include "app/ui/accuracy/method_colors.h"
@@ -27,7 +27,7 @@ class AccuracyViewsTest : public QObject
 
 private slots:
     void theUnstableAreMarkedAndNamed();
-    void anErrorOfNothingStandsOnAFloorBelowTheNumbers();
+    void errorOfZeroIsDrawnBelowTheNumbersOfTheAxis();
     void namesAtLinesCoverNeitherEachOtherNorMarks();
     void theTabsShowTheThreeViews();
     void theOrderViewMeasuresTheSlope();
@@ -51,7 +51,7 @@ void AccuracyViewsTest::theUnstableAreMarkedAndNamed()
     QVERIFY(named->text().contains(QString::fromStdString(unstable.setup.method->title())));
 }
 
-void AccuracyViewsTest::anErrorOfNothingStandsOnAFloorBelowTheNumbers()
+void AccuracyViewsTest::errorOfZeroIsDrawnBelowTheNumbersOfTheAxis()
 {
     constexpr double height = 400.0; // px of the screen
     const ErrorScale plain = errorScale({1e-3, 1e-6, 10.0}, 30.0, height);
@@ -62,7 +62,7 @@ void AccuracyViewsTest::anErrorOfNothingStandsOnAFloorBelowTheNumbers()
     QCOMPARE(scale.lowest, plain.lower); // the numbers of the axis end where they did
     QCOMPARE(scale.place(1e-6), 1e-6);
     QVERIFY(scale.place(0.0) < scale.lowest && scale.place(0.0) > scale.lower);
-    // It takes some px, not decades: those who have errors keep most of the axis.
+    // The floor takes some pixels, not decades, so most of the axis is left for errors above 0.
     const double axis = std::log10(scale.upper / scale.lower);
     QVERIFY(std::log10(scale.upper / scale.lowest) > 0.9 * axis);
     QVERIFY(std::log10(scale.lowest / scale.floor) / axis * height > 15.0);

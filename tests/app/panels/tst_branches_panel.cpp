@@ -47,7 +47,7 @@ struct BranchesFixture : WindowFixture
     }
     const std::vector<Branch> &branches() { return session.comparisons().branches().all(); }
     TimelineStrip &strip() { return part<TimelineStrip>(); }
-    /// The mark of a fork, below the track.
+    /// Returns the position of the mark of a fork, below the track.
     QPoint mark(std::int64_t frame) { return {qRound(strip().axis().xOf(frame)) + 4, 38}; }
     QToolButton *runsButton() { return &part<QToolButton>("runsButton"); }
     RunsMenu &menu() { return part<TransportBar>().runs(); }
@@ -173,7 +173,7 @@ private slots:
         QCOMPARE(named.count(), 0);
     }
 
-    void nothingIsLookedAtBehindAnotherTab()
+    void panelBehindAnotherTabReadsNothing()
     {
         BranchesFixture fixture;
         fixture.fork(100, 60, 0.75);
@@ -204,7 +204,7 @@ private slots:
         QVERIFY2(screen.contains(field.geometry()), qPrintable(QDebug::toString(field.geometry())));
     }
 
-    void escapeGivesUpARunThatIsStillComputed()
+    void escapeCancelsARunThatIsStillComputed()
     {
         BranchesFixture fixture;
         fixture.fork(100, 60, 0.75);

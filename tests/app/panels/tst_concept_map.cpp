@@ -84,10 +84,10 @@ class ConceptMapTest : public QObject
 private slots:
     void init() { QSettings().clear(); }
 
-    void itFitsWithoutScrolling_data();
-    void itFitsWithoutScrolling();
-    void statesAreToldWithoutColour();
-    void pointingTellsAndLights();
+    void mapFitsWithoutScrolling_data();
+    void mapFitsWithoutScrolling();
+    void statesAreReadableWithoutColour();
+    void hoveringDescribesAConceptAndHighlightsItsNeighbours();
     void arrowKeysMoveAndEnterOpens();
     void tabGoesFromRowToRow();
     void aClickOpensTheStepAndClosesTheMap();
@@ -100,7 +100,7 @@ private slots:
     void aNewLearnerSeesItAfterTheTour();
 };
 
-void ConceptMapTest::itFitsWithoutScrolling_data()
+void ConceptMapTest::mapFitsWithoutScrolling_data()
 {
     QTest::addColumn<QSize>("size");
     QTest::addColumn<QString>("language");
@@ -114,7 +114,7 @@ void ConceptMapTest::itFitsWithoutScrolling_data()
     }
 }
 
-void ConceptMapTest::itFitsWithoutScrolling()
+void ConceptMapTest::mapFitsWithoutScrolling()
 {
     QFETCH(QSize, size);
     QFETCH(QString, language);
@@ -145,7 +145,7 @@ void ConceptMapTest::itFitsWithoutScrolling()
         QVERIFY2(label->minimumSizeHint().width() <= label->width(), qPrintable(label->text()));
 }
 
-void ConceptMapTest::statesAreToldWithoutColour()
+void ConceptMapTest::statesAreReadableWithoutColour()
 {
     MapFixture fixture;
     fixture.finish("single_spring", "drag");
@@ -157,13 +157,13 @@ void ConceptMapTest::statesAreToldWithoutColour()
     QCOMPARE(known.accessibleName(), known.text() + ", known");
     QCOMPARE(next.accessibleName(), next.text() + ", can come next");
     QCOMPARE(later.accessibleName(), later.text() + ", for later");
-    // The outline of what is for later has gaps.
+    // The outline of later concepts is dashed.
     const int full = outlinePixels(fixture.node("spring_pull"));
     const int dashed = outlinePixels(fixture.node("overshoot"));
     QVERIFY2(dashed < full * 9 / 10, qPrintable(QStringLiteral("%1 of %2").arg(dashed).arg(full)));
 }
 
-void ConceptMapTest::pointingTellsAndLights()
+void ConceptMapTest::hoveringDescribesAConceptAndHighlightsItsNeighbours()
 {
     MapFixture fixture;
     ConceptButton &pull = fixture.node("spring_pull");

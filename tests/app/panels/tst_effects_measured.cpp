@@ -25,7 +25,7 @@ private slots:
         QCOMPARE(fixture.meter.begun.load(), 2);
     }
 
-    void itMeasuresOnlyWhileItIsSeen()
+    void panelMeasuresOnlyWhileItIsVisible()
     {
         EffectsFixture fixture;
         fixture.panel.hide();
@@ -63,7 +63,7 @@ private slots:
         QCOMPARE(fixture.line("damping").frame, "0.0046");
     }
 
-    void theMomentThatWasMeasuredIsSaid()
+    void captionNamesTheMeasuredFrame()
     {
         EffectsFixture fixture;
         fixture.session.playback().goTo({12, 0});
@@ -74,7 +74,7 @@ private slots:
         QVERIFY(fixture.panel.caption().endsWith("measured now"));
     }
 
-    /// With the real meter: every effect that acts has a figure, and what does not act has none.
+    /// With the real meter, every active effect has a figure, and idle effects have none.
     void theRealMeterFillsTheLines()
     {
         PanelFixture<EffectsPanel> fixture(legLibrary(), {620, 320});

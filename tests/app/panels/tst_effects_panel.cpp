@@ -1,4 +1,4 @@
-// The ledger of effects: its words, and its switches driven as a learner drives them.
+// The ledger of effects: its texts, and its switches, used by mouse and keys.
 
 #include "tests/app/panels/effects_panel_support.h"
 #include "tests/suite.h"
@@ -14,7 +14,7 @@ class EffectsPanelTest : public QObject
     Q_OBJECT
 
 private slots:
-    void figuresAreThoseOfTheMeter()
+    void linesShowTheMeasuredCosts()
     {
         EffectsFixture fixture;
         const EffectLine spring = fixture.line("body_spring");
@@ -142,14 +142,14 @@ private slots:
         QCOMPARE(lines[0].spread, "±0.0005"); // 0.3 and 0.4 that know nothing of each other
     }
 
-    void aSwitchTakesItOutOfPipelineCodeAndPicture_data()
+    void switchRemovesAnEffectFromPipelineCodeAndPicture_data()
     {
         QTest::addColumn<bool>("byKey");
         QTest::newRow("mouse") << false;
         QTest::newRow("keys") << true;
     }
 
-    void aSwitchTakesItOutOfPipelineCodeAndPicture()
+    void switchRemovesAnEffectFromPipelineCodeAndPicture()
     {
         QFETCH(bool, byKey);
         EffectsFixture fixture;
@@ -183,7 +183,7 @@ private slots:
         QCOMPARE(fixture.session.presentation().picture().view->legs.size(), std::size_t(1));
     }
 
-    /// What was switched off runs by the rule that is left: without a spring the foot stays where it is.
+    /// The run follows the effects that are left: without a spring the foot does not move.
     void aSwitchedOffEffectDoesNothing()
     {
         EffectsFixture fixture;
@@ -192,7 +192,7 @@ private slots:
         QCOMPARE(fixture.run().state().positionOf(0), (sim::Vec2{300, 210}));
     }
 
-    void undoBringsTheVeryBitsBack()
+    void undoAndRedoRestoreTheSameBits()
     {
         EffectsFixture fixture;
         fixture.goTo(40);
@@ -223,7 +223,7 @@ private slots:
         QVERIFY(fixture.session.editor().isOff("damping")); // the step is as it was left
     }
 
-    void withoutWhatNothingMovesItSaysSo()
+    void switchingOffTheOnlyDriverIsRefusedWithAMessage()
     {
         EffectsFixture fixture;
         fixture.session.openStep("legs", "puppet");

@@ -29,7 +29,7 @@ struct EffectsWindowFixture : WindowFixture
     {
     }
     EffectsPanel &panel() const { return part<EffectsPanel>(); }
-    /// Whether the learner sees it: not hidden, and no other tab over it.
+    /// Returns whether the panel is visible: not hidden, and not behind another tab.
     bool isSeen() const { return panel().isVisible() && !panel().isCovered(); }
 };
 
@@ -40,7 +40,7 @@ class EffectsWindowTest : public QObject
     Q_OBJECT
 
 private slots:
-    void itIsShownByItsKey()
+    void keyShowsAndHidesThePanel()
     {
         EffectsWindowFixture fixture;
         QVERIFY(!fixture.panel().isVisible());
@@ -55,7 +55,7 @@ private slots:
         QVERIFY(!effects->isChecked());
     }
 
-    void itMeasuresOnlyWhenAStudyOfAccuracyHasEnded()
+    void panelMeasuresOnlyAfterTheAccuracyStudy()
     {
         std::atomic<bool> isStudying = false, mayEnd = false, haveOverlapped = false;
         std::atomic<int> costs = 0;
@@ -92,7 +92,7 @@ private slots:
     }
 
     /// Where there is no room for both below the picture, they are tabs.
-    void besideEnergyItIsATab()
+    void panelIsATabBesideEnergy()
     {
         EffectsWindowFixture fixture;
         fixture.window.docks().show(Panel::energy, true);
@@ -109,7 +109,7 @@ private slots:
         QTRY_VERIFY(areTogether());
     }
 
-    void withAccuracyItIsBelowOrATab_data()
+    void panelIsBelowAccuracyOrATabBesideIt_data()
     {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("seen");
@@ -117,7 +117,7 @@ private slots:
         QTest::newRow("1280 x 800") << QSize(1280, 800) << false;
     }
 
-    void withAccuracyItIsBelowOrATab()
+    void panelIsBelowAccuracyOrATabBesideIt()
     {
         QFETCH(QSize, size);
         QFETCH(bool, seen);

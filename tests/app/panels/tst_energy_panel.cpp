@@ -18,7 +18,7 @@ class EnergyPanelTest : public QObject
     Q_OBJECT
 
 private slots:
-    void theLedgerFollowsTheCursorThereAndBack()
+    void ledgerFollowsTheCursorForwardsAndBack()
     {
         EnergyFixture fixture;
         for (const std::int64_t frame : {0, 20, 5, 40, 39}) {
@@ -50,7 +50,7 @@ private slots:
         QVERIFY(std::abs(fixture.amount("drift")) < 1e-6);
     }
 
-    void aHandThatPullsDoesWork()
+    void dragDoesWork()
     {
         EnergyFixture fixture;
         fixture.goTo(10);
@@ -89,7 +89,7 @@ private slots:
                 1e-9);
     }
 
-    void nothingIsCountedWhileNobodyLooks()
+    void hiddenPanelComputesNothing()
     {
         EnergyFixture fixture;
         fixture.goTo(10);

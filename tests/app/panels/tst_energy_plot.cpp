@@ -47,7 +47,7 @@ private slots:
         QVERIFY(std::abs(fixture.frame() - 60) <= 1); // let go
     }
 
-    void theMouseIsASecondCursorWithNumbers()
+    void hoveringShowsTheNumbersOfAFrame()
     {
         EnergyFixture fixture;
         fixture.goTo(80);
@@ -135,7 +135,7 @@ private slots:
         QVERIFY(!timeline.pointed() && !plot.hovered());
     }
 
-    void theStackEndsWhereItShouldButForTheDrift()
+    void stackDiffersFromTheGivenEnergyByTheDrift()
     {
         EnergyFixture fixture;
         fixture.goTo(50);

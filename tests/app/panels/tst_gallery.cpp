@@ -133,7 +133,7 @@ private slots:
         QCOMPARE(fixture.value("k"), 0.3);
     }
 
-    void aPanelThatGoesTakesItsOpenGalleryAlong()
+    void deletedPanelClosesItsOpenGallery()
     {
         for (const int focused : {0, 3}) {
             auto fixture = std::make_unique<GalleryFixture>();

@@ -46,14 +46,14 @@ class GrowthMapTest : public QObject
 private slots:
     void theMapIsDrawnOnRequest();
     void theMapShowsWhereTheLearnerIsAndWas();
-    void theWayBetweenTwoPlacesIsDrawn_data();
-    void theWayBetweenTwoPlacesIsDrawn();
+    void lineBetweenTriedSetupsIsDrawn_data();
+    void lineBetweenTriedSetupsIsDrawn();
     void theMapTellsWhatIsUnderThePointer();
     void aClickOnTheMapGoesThere_data();
     void aClickOnTheMapGoesThere();
     void keysWalkOverTheMapAndGoThere();
     void aTipTellsWhatAClickDoes();
-    void aSpotOfTheMapTakesTheNearestStepThatFits();
+    void pointOfTheMapIsRoundedToValuesThatCanBeSet();
     void aMethodWithoutAMapSaysSo_data();
     void aMethodWithoutAMapSaysSo();
     void theWindowMayCloseWhileTheMapIsOpen();
@@ -97,14 +97,14 @@ void GrowthMapTest::theMapShowsWhereTheLearnerIsAndWas()
     QVERIFY(!isNear(colourAt(plot, first), fixture.theme.tokens().now));
 }
 
-void GrowthMapTest::theWayBetweenTwoPlacesIsDrawn_data()
+void GrowthMapTest::lineBetweenTriedSetupsIsDrawn_data()
 {
     QTest::addColumn<int>("width");
     for (const int width : {1280, 1281, 1283, 1286, 1366})
         QTest::addRow("%d px", width) << width;
 }
 
-void GrowthMapTest::theWayBetweenTwoPlacesIsDrawn()
+void GrowthMapTest::lineBetweenTriedSetupsIsDrawn()
 {
     QFETCH(int, width);
     StabilityFixture fixture;
@@ -194,7 +194,7 @@ void GrowthMapTest::keysWalkOverTheMapAndGoThere()
     const double now = fixture.session.editor().parameter("k");
     map->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
     QVERIFY(fixture.session.editor().parameter("k") < now);
-    QVERIFY(!fixture.session.playback().isPlaying()); // Space and Enter are the map's own here
+    QVERIFY(!fixture.session.playback().isPlaying()); // the map handles Space and Enter itself
 }
 
 void GrowthMapTest::aTipTellsWhatAClickDoes()
@@ -207,7 +207,7 @@ void GrowthMapTest::aTipTellsWhatAClickDoes()
     QVERIFY(plot.tipAt({1.0, 1.0}).isEmpty());
 }
 
-void GrowthMapTest::aSpotOfTheMapTakesTheNearestStepThatFits()
+void GrowthMapTest::pointOfTheMapIsRoundedToValuesThatCanBeSet()
 {
     StabilityFixture fixture;
     const StabilityMonitor &monitor = fixture.window.stability();

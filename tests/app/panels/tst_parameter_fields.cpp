@@ -1,4 +1,4 @@
-// What each field of a parameter takes, driven with mouse and keyboard.
+// The fields of parameters and the input that they accept, by mouse and keyboard.
 
 #include "app/ui/parameters/number_box.h"
 #include "app/ui/parameters/parameter_slider.h"
@@ -23,7 +23,7 @@ using namespace tests;
 
 namespace {
 
-/// Where a slider's handle stands for a share of the way.
+/// Returns the position of a slider's handle for a share of its range.
 QPoint onGroove(const ParameterSlider &slider, double share)
 {
     return {qRound(8 + (slider.width() - 16) * share), slider.height() / 2};
@@ -43,7 +43,7 @@ private slots:
     void theArrowKeysMoveTheSlider();
     void aTypedNumberIsSet_data();
     void aTypedNumberIsSet();
-    void aNumberOutOfRangeIsBroughtIntoItWithASentence();
+    void numberOutOfRangeIsClampedWithAMessage();
     void textThatIsNoNumberChangesNothing();
     void anExactNumberIsNeverRounded();
     void aLargeNumberIsShownInFull_data();
@@ -52,9 +52,9 @@ private slots:
     void aChoiceIsChosenByName();
     void aListOfChoicesHasRoomForFingersAndNames();
     void aCountMovesByWholeNumbers();
-    void aSliderWithDecadesGoesByTheFirstPlace();
-    void aBoxWithDecadesGoesByTheFirstPlace();
-    void theWheelChangesOnlyWhatWasChosenBefore();
+    void logarithmicSliderStepsThroughLeadingDigits();
+    void logarithmicBoxStepsThroughLeadingDigits();
+    void wheelChangesOnlyTheFocusedField();
     void aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped_data();
     void aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped();
     void aDoubleClickSelectsTheWholeNumber();
@@ -119,7 +119,7 @@ void ParameterFieldsTest::theArrowKeysMoveTheSlider()
     slider->setFocus(Qt::TabFocusReason);
     QTest::keyClick(slider, Qt::Key_Right);
     QTest::keyClick(slider, Qt::Key_Right);
-    QCOMPARE(fixture.session.editor().parameter("damp"), 0.92); // the very number, no sum of hundredths
+    QCOMPARE(fixture.session.editor().parameter("damp"), 0.92); // exactly, not a sum of hundredths
     QTest::keyClick(slider, Qt::Key_Left);
     QCOMPARE(fixture.session.editor().parameter("damp"), 0.91);
 }
@@ -148,7 +148,7 @@ void ParameterFieldsTest::aTypedNumberIsSet()
     QCOMPARE(fixture.session.editor().parameter("k"), value);
 }
 
-void ParameterFieldsTest::aNumberOutOfRangeIsBroughtIntoItWithASentence()
+void ParameterFieldsTest::numberOutOfRangeIsClampedWithAMessage()
 {
     PanelFixture<ParameterPanel> fixture({400, 192});
     QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
@@ -185,7 +185,7 @@ void ParameterFieldsTest::anExactNumberIsNeverRounded()
     auto *box = rowOf(fixture.panel, "k")->findChild<NumberBox *>();
     QVERIFY2(box->text().endsWith(QChar(0x2026)), qPrintable(box->text()));
     QVERIFY2(box->toolTip().contains("0.123456"), qPrintable(box->toolTip()));
-    // Looking at it, and leaving again, must not change it.
+    // Entering and leaving the field must not change the value.
     QTest::mouseClick(box, Qt::LeftButton);
     QCOMPARE(box->text(), QString("0.123456"));
     QTest::keyClick(box, Qt::Key_Return); // which leaves it, as a click came here
@@ -270,7 +270,7 @@ lessons::Parameter oneToAMillion()
 
 }
 
-void ParameterFieldsTest::aSliderWithDecadesGoesByTheFirstPlace()
+void ParameterFieldsTest::logarithmicSliderStepsThroughLeadingDigits()
 {
     SessionFixture world;
     ParameterSlider slider(oneToAMillion(), world.theme);
@@ -286,7 +286,7 @@ void ParameterFieldsTest::aSliderWithDecadesGoesByTheFirstPlace()
         const double digit = i % 9 == 8 ? 1.0 : i % 9 + 2.0;
         QCOMPARE(chosen[i].first().toDouble(), digit * decade);
     }
-    // Any value shows where it lies between those, and a shown one is nobody's choice.
+    // The slider shows any value between the steps. Showing a value does not count as a choice.
     chosen.clear();
     for (const auto &[value, position] : {std::pair{1.0, 0},
                                           {7.0, 6},
@@ -332,7 +332,7 @@ void ParameterFieldsTest::aLargeNumberIsShownInFull()
     QCOMPARE(box.width(), usual);
 }
 
-void ParameterFieldsTest::aBoxWithDecadesGoesByTheFirstPlace()
+void ParameterFieldsTest::logarithmicBoxStepsThroughLeadingDigits()
 {
     SessionFixture world;
     NumberBox box(oneToAMillion(), world.theme);
@@ -354,7 +354,7 @@ void ParameterFieldsTest::aBoxWithDecadesGoesByTheFirstPlace()
     QCOMPARE(box.text(), QString("123456"));
 }
 
-void ParameterFieldsTest::theWheelChangesOnlyWhatWasChosenBefore()
+void ParameterFieldsTest::wheelChangesOnlyTheFocusedField()
 {
     PanelFixture<ParameterPanel> fixture({400, 192});
     QApplication::setActiveWindow(&fixture.panel);

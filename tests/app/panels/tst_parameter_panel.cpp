@@ -1,4 +1,4 @@
-// The parameters as a whole: what they follow, resets, folding, the way of Tab.
+// The parameter panel: updates, resets, folding and the tab order.
 
 #include "app/ui/parameters/number_box.h"
 #include "app/ui/parameters/parameter_slider.h"
@@ -28,7 +28,7 @@ private slots:
     void resetAllIsOnlyForChanges();
     void theRestUnfolds();
     void thePanelUnfoldsWhenThereIsRoom();
-    void aPanelThatUnfoldsByItselfWantsNoMoreRoom();
+    void automaticUnfoldingDoesNotChangeTheSizeHint();
     void tabVisitsTheFieldsInOrder();
 };
 
@@ -141,7 +141,7 @@ void ParameterPanelTest::thePanelUnfoldsWhenThereIsRoom()
     QTRY_VERIFY(!rowOf(panel, "radius")->isVisible());
 }
 
-void ParameterPanelTest::aPanelThatUnfoldsByItselfWantsNoMoreRoom()
+void ParameterPanelTest::automaticUnfoldingDoesNotChangeTheSizeHint()
 {
     SessionFixture world;
     world.session.openStep("two", "many");

@@ -137,9 +137,9 @@ class PredictionBoxTest : public QObject
 private slots:
     void init() { QSettings().clear(); }
 
-    void aPlaceIsClickedAndComparedWithTheTrueOne();
-    void aPlaceIsChosenWithKeysAlone();
-    void noBodyIsDraggedWhileAPlaceIsPicked();
+    void clickedPositionIsComparedWithTheTrueOne();
+    void positionCanBeChosenWithTheKeyboard();
+    void noBodyIsDraggedWhileAPositionIsPicked();
     void escapeLeavesTheCrossWhereItIs();
     void aNumberIsTypedAndEnterPlays();
     void digitsReachTheFieldOfAPredictionThatIsOpened();
@@ -156,7 +156,7 @@ private slots:
     void aChoiceReturnsAfterARestart();
 };
 
-void PredictionBoxTest::aPlaceIsClickedAndComparedWithTheTrueOne()
+void PredictionBoxTest::clickedPositionIsComparedWithTheTrueOne()
 {
     PredictionWindow fixture({predictedThrow()});
     auto &pick = fixture.in<QPushButton>("pickPlace");
@@ -191,7 +191,7 @@ void PredictionBoxTest::aPlaceIsClickedAndComparedWithTheTrueOne()
     QVERIFY(pick.isVisibleTo(&fixture.box()));
 }
 
-void PredictionBoxTest::aPlaceIsChosenWithKeysAlone()
+void PredictionBoxTest::positionCanBeChosenWithTheKeyboard()
 {
     PredictionWindow fixture({predictedThrow()});
     auto &pick = fixture.in<QPushButton>("pickPlace");
@@ -212,7 +212,7 @@ void PredictionBoxTest::aPlaceIsChosenWithKeysAlone()
     QCOMPARE(fixture.frame(), end - 1); // and again
 }
 
-void PredictionBoxTest::noBodyIsDraggedWhileAPlaceIsPicked()
+void PredictionBoxTest::noBodyIsDraggedWhileAPositionIsPicked()
 {
     PredictionWindow fixture({predictedThrow()});
     QTest::mouseClick(&fixture.in<QPushButton>("pickPlace"), Qt::LeftButton);

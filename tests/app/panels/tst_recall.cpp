@@ -97,7 +97,7 @@ private slots:
     void aLessonWithoutQuestionsAsksNone();
     void aChoiceIsExplained_data();
     void aChoiceIsExplained();
-    void sheCanChooseAgain();
+    void anotherChoiceReplacesTheFirst();
     void arrowKeysMoveWithoutChoosing();
     void questionsCanBeSkippedAndComeBack();
     void theFirstOpenQuestionIsShownAtTheNextStart();
@@ -162,7 +162,7 @@ void RecallTest::aChoiceIsExplained()
     QCOMPARE(fixture.session.notes().find("one/recall:line")->said, QString("2"));
 }
 
-void RecallTest::sheCanChooseAgain()
+void RecallTest::anotherChoiceReplacesTheFirst()
 {
     RecallFixture fixture;
     QTest::mouseClick(fixture.choice("foot -= k"), Qt::LeftButton);

@@ -56,9 +56,9 @@ class SettlingMapTest : public QObject
 
 private slots:
     void theMapOpensByItsKeysAndByItsTab();
-    void theMapSaysWhereItRests();
+    void mapShowsTheTimeToRest();
     void aClickBeginsTheRunAgainWithBothNumbers();
-    void keysWalkOverTheMapAndUseAPlace();
+    void keysMoveOverTheMapAndEnterUsesTheValues();
     void theLearnersInputIsPartOfTheMap();
     void theTwoNumbersAloneChangeOnlyTheMark();
     void coloursAreToldByTheirLightness();
@@ -86,7 +86,7 @@ void SettlingMapTest::theMapOpensByItsKeysAndByItsTab()
     QVERIFY(!fixture.monitor().isActive());
 }
 
-void SettlingMapTest::theMapSaysWhereItRests()
+void SettlingMapTest::mapShowsTheTimeToRest()
 {
     SettlingFixture fixture;
     SettlingPlot &plot = fixture.openMap();
@@ -132,7 +132,7 @@ void SettlingMapTest::aClickBeginsTheRunAgainWithBothNumbers()
     QCOMPARE(fixture.session.timeline().script().input.size(), std::size_t(1));
 }
 
-void SettlingMapTest::keysWalkOverTheMapAndUseAPlace()
+void SettlingMapTest::keysMoveOverTheMapAndEnterUsesTheValues()
 {
     SettlingFixture fixture;
     SettlingPlot &plot = fixture.openMap();
@@ -145,7 +145,7 @@ void SettlingMapTest::keysWalkOverTheMapAndUseAPlace()
     QCOMPARE(fixture.parameter("k"), k); // walking alone changes nothing
     QTest::keyClick(&plot, Qt::Key_Return);
     QVERIFY(fixture.parameter("k") > k && fixture.parameter("damp") < damp);
-    QVERIFY(!fixture.session.playback().isPlaying()); // Enter is the map's own here
+    QVERIFY(!fixture.session.playback().isPlaying()); // the map handles Enter itself
 }
 
 void SettlingMapTest::theLearnersInputIsPartOfTheMap()

@@ -19,13 +19,13 @@ class StabilityPanelTest : public QObject
     Q_OBJECT
 
 private slots:
-    void theGaugeStandsInTheStatusBar();
+    void gaugeIsInTheStatusBar();
     void theBarPassesItsTickWhenTheLimitIsPassed();
     void theGaugeIsHollowWithoutALimit();
     void clickAndKeysOpenTheReasonsInPlaceOfTheCode();
     void theReasonsCloseByTheirCross();
     void noLineOfTheReasonsEndsBetweenANumberAndItsUnit();
-    void inMeasureTheyTakeThePlaceOfAccuracy();
+    void reasonsReplaceAccuracyInMeasureMode();
     void oneClickOnARemedyMends_data();
     void oneClickOnARemedyMends();
     void oneClickMakesSticksFit_data();
@@ -34,7 +34,7 @@ private slots:
     void everyControlHasATip();
 };
 
-void StabilityPanelTest::theGaugeStandsInTheStatusBar()
+void StabilityPanelTest::gaugeIsInTheStatusBar()
 {
     StabilityFixture fixture;
     QVERIFY(fixture.gauge.isVisible());
@@ -111,7 +111,7 @@ void StabilityPanelTest::theReasonsCloseByTheirCross()
     QVERIFY(fixture.isSeen<CodePanel>());
 }
 
-void StabilityPanelTest::inMeasureTheyTakeThePlaceOfAccuracy()
+void StabilityPanelTest::reasonsReplaceAccuracyInMeasureMode()
 {
     StabilityFixture fixture;
     fixture.window.setMode(MainWindow::Mode::measure);

@@ -1,4 +1,4 @@
-// The room that the text of a step and the things to try share.
+// The height that the text of a step and the things to try share.
 
 #include "app/ui/learn/step/step_room.h"
 #include "tests/app/support/waiting.h"

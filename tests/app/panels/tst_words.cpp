@@ -61,7 +61,7 @@ private slots:
     void aWordOpensACard();
     void theCardIsAsHighAsWhatIsOnIt();
     void theCardLeadsToTheStepThatTeachesTheWord();
-    void theCardLeadsToAllWords();
+    void linkOnTheCardOpensTheGlossary();
     void theGlossaryFindsWordsAsTheyAreTyped();
 };
 
@@ -132,7 +132,7 @@ void WordCardTest::theCardLeadsToTheStepThatTeachesTheWord()
     QCOMPARE(fixture.session.lesson().id, QString("two"));
 }
 
-void WordCardTest::theCardLeadsToAllWords()
+void WordCardTest::linkOnTheCardOpensTheGlossary()
 {
     WordsFixture fixture;
     QString asked;

@@ -1,4 +1,4 @@
-// What plots paint, and when: the run, the old run, and a moment inside a frame.
+// Painting of plots: the run, the old run, and a moment inside a frame. Also tests when plots repaint.
 
 #include "app/ui/plots/dashed_curve.h"
 #include "app/ui/plots/plot_value.h"
@@ -68,7 +68,7 @@ private slots:
         QVERIFY(std::abs(drawn - all / 2.0) < 4.5);
     }
 
-    void dashesAreCountedOnlyWhereTheyAreSeen()
+    void dashesAreComputedOnlyInTheVisiblePart()
     {
         const QRectF seen(0.0, 0.0, 300.0, 200.0);
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();

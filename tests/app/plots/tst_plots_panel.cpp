@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(fixture.plot().valueText(), QString("%1\u2009px").arg(y, 0, 'f', 2));
     }
 
-    void theAmberLineStandsAtTheCursor()
+    void amberLineMarksTheCursor()
     {
         PlotsFixture fixture;
         fixture.goTo(100);
@@ -159,7 +159,7 @@ private slots:
         QCOMPARE(menu->findChildren<QObject *>().size(), within);
     }
 
-    void itFollowsTheSelectedBodyUnlessItIsKept()
+    void plotFollowsTheSelectedBodyUnlessItIsPinned()
     {
         PlotsFixture fixture;
         fixture.goTo(50);
@@ -251,7 +251,7 @@ private slots:
         QVERIFY(std::abs(timeline->frame() - 70) <= 1);
     }
 
-    void theWindowHasAPlaceForPlotsInEachSize_data()
+    void windowHasRoomForPlotsAtEachSize_data()
     {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("measures");
@@ -262,7 +262,7 @@ private slots:
         QTest::newRow("measure, large") << QSize(1920, 1080) << true << false;
     }
 
-    void theWindowHasAPlaceForPlotsInEachSize()
+    void windowHasRoomForPlotsAtEachSize()
     {
         QFETCH(QSize, size);
         QFETCH(bool, measures);

@@ -1,4 +1,4 @@
-// What edits do to a blueprint: points, links, feet and their properties.
+// Edits of a blueprint: points, links, feet and their properties.
 
 #include "app/model/sandbox/blueprint_edits.h"
 #include "app/model/sandbox/sandbox_properties.h"
@@ -50,7 +50,7 @@ private slots:
         QVERIFY(!addFoot(plan, 2, 1));           // a foot of one body only
     }
 
-    void thereIsAMost()
+    void numberOfPointsIsLimited()
     {
         sim::Blueprint plan = triangle();
         while (addPoint(plan, {}))
@@ -102,7 +102,7 @@ private slots:
         QCOMPARE(plan.feet[0].angle, -45.0);
     }
 
-    void aPlaceThatIsTypedTakesLengthsAlongAsADragDoes()
+    void typedPositionChangesLengthsLikeADrag()
     {
         sim::Blueprint typed = triangle();
         addSpring(typed, 0, 1);
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(addRuleLinksAmong(plan, all), std::optional(9870));
     }
 
-    void aBoxChoosesWhatIsInIt()
+    void boxSelectsTheElementsInsideIt()
     {
         sim::Blueprint plan = triangle();
         addSpring(plan, 0, 1);

@@ -1,4 +1,4 @@
-// A point of a sandbox scene gets another name: what refers to it follows, and the run stays the same.
+// Renaming a point of a sandbox scene updates every reference to it and leaves the run unchanged.
 
 #include "app/model/breakpoints/condition.h"
 #include "app/model/sandbox/sandbox.h"
@@ -81,7 +81,7 @@ private slots:
         QVERIFY(sim::sameBits(world.stateAt(30), before));
     }
 
-    void branchesStay()
+    void renamingKeepsTheBranches()
     {
         NamesWorld world;
         world.carry();
@@ -221,7 +221,7 @@ private slots:
         QCOMPARE(withBodyRenamed(before, "p1", "bob"), after);
     }
 
-    void itIsTypedInThePanel()
+    void nameIsTypedInThePanel()
     {
         SandboxFixture fixture;
         fixture.build();

@@ -1,4 +1,4 @@
-// The field "scene" of an experiment: what is read, what is refused, and what is written.
+// Reading, refusing and writing the field "scene" of an experiment.
 
 #include "app/model/experiment/experiment.h"
 #include "app/model/sandbox/blueprint_limits.h"
@@ -35,7 +35,7 @@ QByteArray manyPoints(std::size_t count)
     return with("\"scene\": { \"bodies\": { " + points.join(", ") + " } }");
 }
 
-/// The effects that a scene can have, as a sentence lists them.
+/// The effects that a scene can have, as error messages list them.
 QByteArray offered()
 {
     QByteArrayList ids;
@@ -72,7 +72,7 @@ class BuiltScene : public QObject
     Q_OBJECT
 
 private slots:
-    void everythingComesBackExactly()
+    void sceneSurvivesARoundTrip()
     {
         Experiment experiment = newExperiment("sandbox", "build", experiment_support::library());
         experiment.script.values.blueprint = std::make_shared<const sim::Blueprint>(everything());
@@ -117,14 +117,14 @@ private slots:
         QVERIFY((experiment.script.values.blueprint->points[1].v == sim::Vec2{7, 0}));
     }
 
-    void asManyPointsAsThereMayBe()
+    void numberOfPointsIsLimited()
     {
         QCOMPARE(readPlan(manyPoints(built::mostPoints)).points.size(), built::mostPoints);
         QCOMPARE(user_errors::errorOf(manyPoints(built::mostPoints + 1)),
                  QString("x.json: line 5: \"bodies\" has 1001 entries; the most is 1000."));
     }
 
-    void wrongPlansAreRefused_data()
+    void invalidScenesAreRefused_data()
     {
         user_errors::addColumns();
         const auto row = [](const char *name, const QByteArray &text, const char *sentence) {
@@ -193,7 +193,7 @@ private slots:
             "that one "
             "by \"parameters\", \"bodies\" and \"effects\".");
     }
-    void wrongPlansAreRefused() { user_errors::checkRow(); }
+    void invalidScenesAreRefused() { user_errors::checkRow(); }
 };
 
 SUITE(tst_built_scene, BuiltScene)

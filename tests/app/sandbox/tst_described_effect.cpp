@@ -83,7 +83,7 @@ constinit const sim::EffectDescription sail = {.id = "sail",
 
 namespace {
 
-/// The sandbox, with one effect more.
+/// The sandbox with this effect added.
 LessonLibrary libraryWithSail()
 {
     static constexpr const sim::EffectDescription *more[] = {&described::sail};
@@ -203,10 +203,10 @@ private slots:
         world.session.editor().redo();
         QCOMPARE(sim::valueOf(world.plan().points[2], world.area()), 3.0);
         world.setArea({{0, 2}, {}, {}}, 0.0);
-        QVERIFY(world.plan() == before); // what is as preset is not kept
+        QVERIFY(world.plan() == before); // default values are not stored
     }
 
-    void copiesHaveIt()
+    void copiesKeepThePropertyOfThePoint()
     {
         SailWorld world;
         world.editor.setEffect("sail", true);
@@ -217,7 +217,7 @@ private slots:
         QVERIFY(world.plan().points[3].name != "a");
     }
 
-    void filesKeepIt()
+    void filesKeepTheSettingAndTheProperty()
     {
         SailWorld world;
         world.editor.setEffect("sail", true);
@@ -241,7 +241,7 @@ private slots:
     }
 
     /// By x = a t^2 / 2 with a = strength * area / mass.
-    void pointsThatHaveItMove()
+    void pointsWithThePropertyMove()
     {
         SailWorld world;
         world.session.editor().setMethod("velocity_verlet");

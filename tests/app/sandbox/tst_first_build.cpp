@@ -34,8 +34,8 @@ struct Guided : SandboxFixture
         }
         return nullptr;
     }
-    /// A click into the middle of what the ring is round.
-    void clickWhatIsAsked(QWidget *expected) const
+    /// Checks that the ring is round this widget, and clicks it.
+    void clickHighlighted(QWidget *expected) const
     {
         QVERIFY(ring() && ring()->widget() == expected);
         QTRY_VERIFY(expected->isVisible() && !expected->visibleRegion().isEmpty());
@@ -48,7 +48,7 @@ struct Guided : SandboxFixture
     /// The feet that the guide asks for, with the mouse.
     void giveFeet()
     {
-        clickWhatIsAsked(tool("Foot"));
+        clickHighlighted(tool("Foot"));
         click(plan().points[0].x);
         for (int foot = 0; foot < 2; ++foot) {
             QVERIFY(guide().place());
@@ -76,17 +76,17 @@ private slots:
         QFETCH(QSize, size);
         Guided fixture(size);
         fixture.giveFeet();                               // 1 to 4
-        fixture.clickWhatIsAsked(fixture.tool("Select")); // 5
+        fixture.clickHighlighted(fixture.tool("Select")); // 5
         fixture.click(fixture.plan().points[1].x);        // 6
         QCOMPARE(fixture.ring()->widget(), fixture.row("speed"));
         QTRY_VERIFY(fixture.ring()->isVisible());
         QTRY_VERIFY(!fixture.row("speed")->visibleRegion().isEmpty()); // 7
         fixture.type("speed", "0.05");
-        fixture.clickWhatIsAsked(fixture.effect("Ground")); // 8
-        fixture.clickWhatIsAsked(fixture.effect("Walls"));  // 9
+        fixture.clickHighlighted(fixture.effect("Ground")); // 8
+        fixture.clickHighlighted(fixture.effect("Walls"));  // 9
         auto *play = fixture.window.findChild<QToolButton *>("play");
         const sim::Vec2 from = fixture.body();
-        fixture.clickWhatIsAsked(play); // 10
+        fixture.clickHighlighted(play); // 10
         QVERIFY(fixture.session.playback().isPlaying());
         QVERIFY(fixture.step() == BuildGuide::Step::watch);
         QTRY_VERIFY_WITH_TIMEOUT(fixture.step() == BuildGuide::Step::done, 60'000);
@@ -101,17 +101,17 @@ private slots:
     {
         Guided fixture;
         fixture.giveFeet();
-        fixture.clickWhatIsAsked(fixture.tool("Select"));
+        fixture.clickHighlighted(fixture.tool("Select"));
         fixture.type("speed", "0.05");
         QVERIFY(!qobject_cast<NumberBox *>(QApplication::focusWidget())); // Return has given the keys back
-        fixture.clickWhatIsAsked(fixture.effect("Ground"));
-        fixture.clickWhatIsAsked(fixture.effect("Walls"));
+        fixture.clickHighlighted(fixture.effect("Ground"));
+        fixture.clickHighlighted(fixture.effect("Walls"));
         QWidget *focus = QApplication::focusWidget();
         QTest::keyClick(focus ? focus : &fixture.window, Qt::Key_Space);
         QVERIFY(fixture.session.playback().isPlaying());
     }
 
-    void keysAloneDoIt()
+    void creatureCanBeBuiltWithTheKeyboard()
     {
         Guided fixture;
         fixture.view.setFocus();
@@ -148,7 +148,7 @@ private slots:
         QVERIFY(fixture.session.playback().isPlaying());
     }
 
-    void itSaysOneThingAtATimeAndGoesBackWithUndo()
+    void guideShowsOneStepAtATimeAndFollowsUndo()
     {
         Guided fixture;
         QVERIFY(fixture.said().contains("Foot"));
@@ -158,7 +158,7 @@ private slots:
         QCOMPARE(fixture.plan().feet.size(), std::size_t(1));
         QVERIFY(fixture.step() == BuildGuide::Step::body); // from which the second foot goes on
         fixture.session.editor().redo();
-        fixture.clickWhatIsAsked(fixture.tool("Select"));
+        fixture.clickHighlighted(fixture.tool("Select"));
         fixture.click(fixture.plan().points[1].x);
         fixture.click({10, 10}); // the foot is not chosen any more
         QVERIFY(fixture.step() == BuildGuide::Step::foot);
@@ -167,7 +167,7 @@ private slots:
     void feetOnOneSideAreNotOpposite()
     {
         Guided fixture;
-        fixture.clickWhatIsAsked(fixture.tool("Foot"));
+        fixture.clickHighlighted(fixture.tool("Foot"));
         fixture.click(fixture.plan().points[0].x);
         const sim::Vec2 left = *fixture.guide().place();
         fixture.click(left);
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(fixture.step() == BuildGuide::Step::chooseTool);
     }
 
-    void itCanBeLeftAndBegunAgain()
+    void guideCanBeLeftAndStartedAgain()
     {
         Guided fixture;
         fixture.giveFeet();

@@ -77,8 +77,8 @@ struct RuleFixture : SandboxFixture
     RulePanel &rule = pages.rule();
 };
 
-/// Returns the place after `frames` steps of semi-implicit Euler from rest under a constant acceleration: the sum of
-/// 1 to n times a.
+/// Returns the position after n = `frames` steps of semi-implicit Euler from rest at `from` with a constant acceleration
+/// a. The displacement is a times the sum of 1 to n.
 sim::Vec2 fallen(sim::Vec2 from, sim::Vec2 acceleration, int frames)
 {
     return from + 0.5 * frames * (frames + 1) * acceleration;
@@ -332,7 +332,7 @@ private slots:
         QCOMPARE(fixture.plan().ruleLinks.size(), std::size_t(6));
     }
 
-    void itIsSavedWithTheExperiment()
+    void ruleIsSavedWithTheExperiment()
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath("rule.json");
@@ -373,7 +373,7 @@ private slots:
         QCOMPARE(later.plan().rule.text(), push.toStdString());
     }
 
-    void anotherSceneTakesNoDraftAlong()
+    void newSceneDiscardsTheDraft()
     {
         RuleFixture fixture;
         fixture.write("Vec2 force(");

@@ -1,4 +1,4 @@
-// Building a scene: that all of it can be undone, and how a lesson's scene becomes one.
+// Building a scene: every edit can be undone, and the scene of a lesson can be copied.
 
 #include "app/model/sandbox/sandbox.h"
 #include "app/model/sandbox/sandbox_editor.h"
@@ -34,7 +34,7 @@ sim::Blueprint bareTriangle()
     return plan;
 }
 
-/// The scene of a lesson's step, taken over after `frames` frames, with another method if one is given.
+/// Returns a copy of the scene of a lesson's step after `frames` frames, with another method if one is given.
 ExportedScene taken(const QString &lesson, const QString &step, std::int64_t frames = 0,
                     const QString &method = {})
 {
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(world.plan() == start);
     }
 
-    void aLinkTooManyIsRefusedWithASentence()
+    void linkBeyondTheLimitIsRefusedWithASentence()
     {
         SandboxWorld world;
         sim::Blueprint full = world.plan();
@@ -202,7 +202,7 @@ private slots:
         QVERIFY(*parseExperiment(text, "x.json", library()).script.values.blueprint == world.plan());
     }
 
-    void buildingHappensAtTheStart()
+    void buildingIsPossibleOnlyAtTheStart()
     {
         SandboxWorld world;
         world.session.playback().goTo({5, 0});
@@ -244,7 +244,7 @@ private slots:
         QVERIFY(world.session.editor().isOff("gravity"));
     }
 
-    void aTakenSceneRunsAsItDid_data()
+    void copiedSceneRunsLikeTheOriginal_data()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("step");
@@ -259,7 +259,7 @@ private slots:
                                                  << "verlet"
                                                  << "semi_implicit_euler";
     }
-    void aTakenSceneRunsAsItDid()
+    void copiedSceneRunsLikeTheOriginal()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);

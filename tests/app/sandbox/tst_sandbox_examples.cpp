@@ -1,4 +1,4 @@
-// The scenes that come with the sandbox: each does what it is there for.
+// The example scenes of the sandbox: each behaves as intended.
 
 #include "app/model/experiment/experiment.h"
 #include "lessons/api/view/view.h"
@@ -45,7 +45,7 @@ struct Run
         const sim::StoredEnergyReader reader(scene());
         return reader.read(track.state()).total();
     }
-    /// By which part of its length the worst stick is wrong.
+    /// Returns the largest relative error of a stick's length.
     double worstStick() const
     {
         double worst = 0.0;
@@ -152,7 +152,7 @@ private slots:
         QFETCH(QString, name);
         Run run(name);
         const double start = run.energy();
-        // What could be had by falling, so that a part of it says something.
+        // The potential energy of the fall is the scale of the tolerance.
         const double scale = std::abs(start) + 1.0;
         for (std::int64_t frame = 0; frame <= 2000; frame += 10) {
             run.to(frame);
@@ -191,7 +191,7 @@ private slots:
             lowest = std::max(lowest, run.track.state().positionOf(i).y);
         QVERIFY(std::abs(lowest - 375.0) < 0.5); // the floor less half a point
         QVERIFY(run.fastest() < 0.2);
-        // It kept its shape: as wide as it was, nearly.
+        // It kept its shape: its width is nearly the same.
         QVERIFY(std::abs(sim::length(run.at("p0") - run.at("p5")) - 150.0) < 20.0);
     }
 
@@ -209,7 +209,7 @@ private slots:
         QVERIFY(right > 640.0 && right < 800.0);
     }
 
-    void theWalkersLegsKeepTheirBeat()
+    void walkersLegsKeepTheirPhase()
     {
         Run run("walker");
         for (std::int64_t frame = 0; frame <= 4000; frame += 5) {
@@ -284,7 +284,7 @@ private slots:
         Run run("ragdoll");
         run.to(longRun);
         QVERIFY(run.fastest() < 0.05);
-        // The room has the last word in a frame: what lies on the floor carries the weight above it as an error of its
+        // The room is enforced last in a frame. Points on the floor carry the weight above them as an error of their
         // sticks (1.2 px of 44), however often they are enforced before.
         QVERIFY(run.worstStick() < 0.04);
         for (int i = 0; i < run.track.state().pointCount(); ++i)

@@ -237,7 +237,7 @@ private slots:
         QCOMPARE(fixture.plan().feet[0].body, 1);
     }
 
-    void theToolInHandSaysWhatToClick()
+    void hintOfTheSelectedToolSaysWhatToClick()
     {
         SandboxFixture fixture;
         fixture.build();

@@ -1,4 +1,4 @@
-// Building in the window: the way there, fields, effects, examples.
+// Building in the window: opening the sandbox, fields, effects and examples.
 
 #include "app/ui/code/breakpoint_list.h"
 #include "app/ui/parameters/grouped_choice.h"
@@ -69,7 +69,7 @@ private slots:
         QCOMPARE(fixture.session.editor().undoStack().undoText(), QString("Change case"));
     }
 
-    void theWayThereAndBack()
+    void keyOpensTheSandboxAndAButtonReturnsToTheLesson()
     {
         SandboxFixture fixture;
         fixture.session.openStep("two_body", "mutual");
@@ -114,14 +114,14 @@ private slots:
         QVERIFY(!fixture.session.playback().isPlaying());
     }
 
-    void theToolInHandIsReadInEveryScheme_data()
+    void selectedToolIsReadableInEveryScheme_data()
     {
         QTest::addColumn<Scheme>("scheme");
         QTest::newRow("light") << Scheme::light;
         QTest::newRow("dark") << Scheme::dark;
         QTest::newRow("high contrast") << Scheme::highContrast;
     }
-    void theToolInHandIsReadInEveryScheme()
+    void selectedToolIsReadableInEveryScheme()
     {
         QFETCH(const Scheme, scheme);
         SandboxFixture fixture;
@@ -146,7 +146,7 @@ private slots:
         }
     }
 
-    void startingAfreshWithALinkChosenAndEnergyOnShow()
+    void restartClearsASelectedLinkWhileEnergyIsVisible()
     {
         SandboxFixture fixture;
         fixture.build();
@@ -157,7 +157,7 @@ private slots:
             fixture.editor().use({x, 100}, -1);
         QVERIFY(!fixture.editor().chosen().springs.empty());
         QCoreApplication::processEvents();
-        // The plot of energy is drawn again before the bench hears of the other scene.
+        // The energy plot is drawn again before the build panel is told about the new scene.
         QTest::keyClick(&fixture.window, Qt::Key_R, Qt::ControlModifier);
         QVERIFY(fixture.editor().chosen().isEmpty());
         QCOMPARE(fixture.plan().springs.size(), springs);
@@ -267,7 +267,7 @@ private slots:
         QCOMPARE(fixture.plan().points.size(), points + 1);
     }
 
-    void aHandStillTakesWhatMoves()
+    void movingBodyCanBeDragged()
     {
         SandboxFixture fixture;
         fixture.build();

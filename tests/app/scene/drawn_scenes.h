@@ -5,7 +5,7 @@
 #include "sim/scene/scene.h"
 #include "sim/scenes/points.h"
 
-/// Small scenes for what a view can show, each with points that go where a formula puts them.
+/// Small scenes for the features of a view. A formula moves their points.
 namespace drawn_scenes {
 
 /// Returns a step that has nothing but a scene and a view.

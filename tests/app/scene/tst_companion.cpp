@@ -1,4 +1,4 @@
-// A second run beside a step's own, what a step says of the moment, and runs that a step opens with input.
+// The companion run beside the run of a step, the note of a step, and steps that open with input.
 
 #include "app/model/experiment/experiment.h"
 #include "app/ui/scene/drawing/overlay_labels.h"
@@ -38,7 +38,7 @@ lessons::Step footStep()
     return step;
 }
 
-/// Opens with a hand, with steps of half a frame where its choice says so.
+/// With the second choice of its parameter, the step opens with a drag and steps of half a frame.
 lessons::Step openedStep()
 {
     lessons::Step step = footStep();
@@ -93,11 +93,11 @@ class CompanionTest : public QObject
     Q_OBJECT
 
 private slots:
-    void itGoesWithTheCursor();
-    void itTakesOverWhatIsChanged();
-    void itReachesAFarFrame();
+    void companionFollowsTheCursor();
+    void companionFollowsEdits();
+    void companionReachesADistantFrame();
     void thereIsNoCompanionIfItsMethodCannotComputeTheScene();
-    void itIsDrawnWhereItsOffsetSays();
+    void companionIsDrawnAtItsOffset();
     void eachFigureHasItsCaption();
     void aCaptionIsNoWiderThanItsFigure();
     void aStepWithoutOneHasNone();
@@ -108,7 +108,7 @@ private slots:
     void theNoteStandsOverTheScene();
 };
 
-void CompanionTest::itGoesWithTheCursor()
+void CompanionTest::companionFollowsTheCursor()
 {
     const LessonLibrary library = libraryOf(footStep());
     Session session(library);
@@ -124,7 +124,7 @@ void CompanionTest::itGoesWithTheCursor()
     QCOMPARE(session.presentation().companion()->state.frame, 13);
 }
 
-void CompanionTest::itTakesOverWhatIsChanged()
+void CompanionTest::companionFollowsEdits()
 {
     const LessonLibrary library = libraryOf(footStep());
     Session session(library);
@@ -152,7 +152,7 @@ void CompanionTest::itTakesOverWhatIsChanged()
     QVERIFY(isBeside(session));
 }
 
-void CompanionTest::itReachesAFarFrame()
+void CompanionTest::companionReachesADistantFrame()
 {
     SceneFixture fixture({footStep()});
     fixture.session.editor().setMethod("semi_implicit_euler");
@@ -176,7 +176,7 @@ void CompanionTest::thereIsNoCompanionIfItsMethodCannotComputeTheScene()
     QCOMPARE(session.timeline().cursor().frame, 1);
 }
 
-void CompanionTest::itIsDrawnWhereItsOffsetSays()
+void CompanionTest::companionIsDrawnAtItsOffset()
 {
     SceneFixture fixture({footStep()});
     const auto onScreen = [&](sim::Vec2 place) {

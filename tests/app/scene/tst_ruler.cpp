@@ -1,4 +1,4 @@
-// What a learner measures in the picture: lengths and angles, the time, and all that pulls.
+// Measuring in the picture: lengths, angles, the time and all forces.
 
 #include "tests/app/scene/scene_support.h"
 
@@ -22,7 +22,7 @@ private slots:
     void theMouseMovesOneEnd();
     void keysMoveEitherEnd();
     void aRulerThatIsNotShownTakesNoPress();
-    void betweenTwoFramesAllThatPullsIsShown();
+    void allForcesAreShownBetweenTwoFrames();
     void theClockTellsFramesAndSeconds();
 };
 
@@ -110,7 +110,7 @@ void RulerTest::aRulerThatIsNotShownTakesNoPress()
     QCOMPARE(fixture.view.shown().ruler.to.x, before.to.x);
 }
 
-void RulerTest::betweenTwoFramesAllThatPullsIsShown()
+void RulerTest::allForcesAreShownBetweenTwoFrames()
 {
     SceneFixture fixture;
     fixture.goTo(12);

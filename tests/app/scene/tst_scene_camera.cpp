@@ -1,4 +1,4 @@
-// What the scene view looks at: zoom, moving the picture, signs for bodies outside.
+// The camera of the scene view: zoom, panning, and signs for bodies outside the picture.
 
 #include "tests/app/scene/scene_support.h"
 #include "tests/suite.h"
@@ -16,7 +16,7 @@ class SceneCameraTest : public QObject
 
 private slots:
     void theWheelZoomsAroundThePointer();
-    void twoFingersMoveThePicture();
+    void twoFingersPanTheView();
     void draggingTheBackgroundMovesThePicture_data();
     void draggingTheBackgroundMovesThePicture();
     void fitShowsTheWholeStage_data();
@@ -28,7 +28,7 @@ private slots:
     void aSignAtTheEdgeIsAnArrowThatSaysWhatAClickDoes();
     void aSignAtTheEdgeBringsABodyBack_data();
     void aSignAtTheEdgeBringsABodyBack();
-    void aRoomStandsAtTheBottomOfItsView();
+    void roomIsAtTheBottomOfItsView();
     void insideAFrameASmallCreatureIsEnlarged();
     void legendAndCaptionCoverNoBodyThatHasSwumAway_data();
     void legendAndCaptionCoverNoBodyThatHasSwumAway();
@@ -54,7 +54,7 @@ void SceneCameraTest::theWheelZoomsAroundThePointer()
     QVERIFY(std::abs(fixture.view.zoom() - before) < 1e-6);
 }
 
-void SceneCameraTest::twoFingersMoveThePicture()
+void SceneCameraTest::twoFingersPanTheView()
 {
     SceneFixture fixture;
     const double zoom = fixture.view.zoom();
@@ -223,7 +223,7 @@ void SceneCameraTest::aSignAtTheEdgeBringsABodyBack()
     QVERIFY(fixture.session.timeline().script().input.empty());
 }
 
-void SceneCameraTest::aRoomStandsAtTheBottomOfItsView()
+void SceneCameraTest::roomIsAtTheBottomOfItsView()
 {
     for (const QSize size : {QSize(600, 470), QSize(600, 900), QSize(1230, 830)}) {
         SceneFixture fixture("room");

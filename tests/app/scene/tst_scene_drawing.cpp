@@ -1,4 +1,4 @@
-// What the scene view draws and says.
+// The drawing and the captions of the scene view.
 
 #include "app/model/picture/rest_marks.h"
 #include "app/ui/scene/drawing/arrows.h"
@@ -32,7 +32,7 @@ private slots:
     void dampingShortensTheArrowOfTheVelocity();
     void velocitiesShowInsideAFrameUnlessTheyAreHidden();
     void aScaleStaysWhileArrowsFit();
-    void aChangeOfTheScaleIsSaid();
+    void changeOfTheScaleIsShownForAWhile();
     void noArrowRunsThroughTheLegend();
     void aDiscThrowsAShadowOnTheFloor_data();
     void aDiscThrowsAShadowOnTheFloor();
@@ -235,7 +235,7 @@ void SceneDrawingTest::aScaleStaysWhileArrowsFit()
     }
 }
 
-void SceneDrawingTest::aChangeOfTheScaleIsSaid()
+void SceneDrawingTest::changeOfTheScaleIsShownForAWhile()
 {
     const SceneFixture fixture("lone");
     SceneContent shown = shownAt(fixture, 10.0);
@@ -323,7 +323,7 @@ void SceneDrawingTest::theGridIsSeen_data()
     QTest::newRow("high contrast") << static_cast<int>(Scheme::highContrast);
 }
 
-/// Contrast as WCAG 2.1 has it. 3 is for what one must see; the grid must be seen without getting in the way.
+/// Contrast as in WCAG 2.1, which requires 3 for essential graphics. The grid is less important, so it is fainter.
 void SceneDrawingTest::theGridIsSeen()
 {
     QFETCH(int, scheme);

@@ -1,4 +1,4 @@
-// What is written in the picture: names, numbers and signs, and that they keep apart.
+// Names, numbers and signs in the picture do not overlap.
 
 #include "app/model/text/sentences.h"
 #include "app/ui/scene/drawing/body_text.h"
@@ -29,16 +29,16 @@ class SceneLabelsTest : public QObject
     Q_OBJECT
 
 private slots:
-    void signsAtTheEdgeKeepApart_data();
-    void signsAtTheEdgeKeepApart();
-    void namesKeepApart_data();
-    void namesKeepApart();
+    void signsAtTheEdgeDoNotOverlap_data();
+    void signsAtTheEdgeDoNotOverlap();
+    void namesDoNotOverlap_data();
+    void namesDoNotOverlap();
     void aNameCoversNoArrow_data();
     void aNameCoversNoArrow();
     void aNameIsNotCutAtTheEdge_data();
     void aNameIsNotCutAtTheEdge();
     void aLabelOfAThingAtRestStays();
-    void aLabelDoesNotJumpToAndFro();
+    void labelDoesNotJumpBackAndForth();
     void aPredictionCoversNothing_data();
     void aPredictionCoversNothing();
     void theLineToAPredictionLeavesTheNameReadable();
@@ -51,7 +51,7 @@ private slots:
     void arrowsHaveAReadableScale();
 };
 
-void SceneLabelsTest::signsAtTheEdgeKeepApart_data()
+void SceneLabelsTest::signsAtTheEdgeDoNotOverlap_data()
 {
     QTest::addColumn<QPointF>("middle");
     QTest::addColumn<int>("least");
@@ -61,7 +61,7 @@ void SceneLabelsTest::signsAtTheEdgeKeepApart_data()
     QTest::newRow("so far that its square is no number") << QPointF(1e200, -1e200) << 1;
 }
 
-void SceneLabelsTest::signsAtTheEdgeKeepApart()
+void SceneLabelsTest::signsAtTheEdgeDoNotOverlap()
 {
     QFETCH(QPointF, middle);
     QFETCH(int, least);
@@ -85,7 +85,7 @@ void SceneLabelsTest::signsAtTheEdgeKeepApart()
     QCOMPARE(bodies, 3);
 }
 
-void SceneLabelsTest::namesKeepApart_data()
+void SceneLabelsTest::namesDoNotOverlap_data()
 {
     QTest::addColumn<int>("frame");
     QTest::addColumn<int>("phase");
@@ -94,7 +94,7 @@ void SceneLabelsTest::namesKeepApart_data()
     QTest::newRow("inside a frame") << 3 << 1;
 }
 
-void SceneLabelsTest::namesKeepApart()
+void SceneLabelsTest::namesDoNotOverlap()
 {
     QFETCH(int, frame);
     QFETCH(int, phase);
@@ -189,7 +189,7 @@ void SceneLabelsTest::aLabelOfAThingAtRestStays()
     }
 }
 
-void SceneLabelsTest::aLabelDoesNotJumpToAndFro()
+void SceneLabelsTest::labelDoesNotJumpBackAndForth()
 {
     SceneFixture fixture("lone");
     SceneContent shown;

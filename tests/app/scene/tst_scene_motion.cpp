@@ -1,4 +1,4 @@
-// The picture and the motion in it: whatever a step does, there is something to see.
+// Every step keeps enough of its bodies in the picture while it runs.
 
 #include "tests/app/scene/scene_support.h"
 
@@ -50,7 +50,7 @@ struct Stage
         return {at.x + length * std::cos(angle), at.y + length * std::sin(angle)};
     }
 
-    /// How many bodies, or ends of branches, have their middle outside of the view.
+    /// Returns how many bodies, or ends of branches, have their centre outside the view.
     int outside() const
     {
         const Picture picture = session.presentation().picture();
@@ -64,7 +64,7 @@ struct Stage
         return count;
     }
 
-    /// Whether all bodies of the companion are in the picture; false where there is none.
+    /// Returns whether all bodies of the companion are in the picture; false without a companion.
     bool isCompanionSeen() const
     {
         const SceneContent &companion = view.companion();
@@ -167,7 +167,7 @@ void SceneMotionTest::afterADragAllBodiesAreSeenAgain()
         stage.press(at);
         stage.move(at + by);
         stage.session.playback().pause();
-        // A drag that nothing takes moves the picture, as the learner wants it; it leaves something in sight.
+        // A drag on the background pans the picture. Some body stays visible.
         const bool isPan = stage.session.timeline().script().input.empty();
         stage.goOn(5);
         stage.release(at + by);

@@ -83,7 +83,7 @@ class SceneOutdoorsTest : public QObject
     Q_OBJECT
 
 private slots:
-    void theGroundLiesWhereItSays();
+    void groundIsDrawnAtItsHeight();
     void distancesScrollWithThePicture();
     void noDistanceIsCutAtTheEdge();
     void aNameHidesNoPartOfADistance();
@@ -104,7 +104,7 @@ private slots:
     void theLearnersChoiceOfDrawingsWinsOverTheSteps();
 };
 
-void SceneOutdoorsTest::theGroundLiesWhereItSays()
+void SceneOutdoorsTest::groundIsDrawnAtItsHeight()
 {
     SceneFixture fixture({walker(0.0)});
     const QImage image = fixture.image();
@@ -210,7 +210,7 @@ void SceneOutdoorsTest::thePictureFollowsWhatWalks()
         const sim::Vec2 at = fixture.place("p0");
         QCOMPARE(at.x, 270.0 + 17.0 * static_cast<double>(frame));
         const double x = onScreen(fixture, at).x();
-        // In the middle or behind it: there is more to see of where it goes than of where it was.
+        // The walker is in the middle or behind it, so more is visible ahead of it than behind.
         QVERIFY2(x >= 0.33 * width && x <= 0.5 * width + 1.0, qPrintable(QString::number(x)));
         QVERIFY(std::abs(onScreen(fixture, {0, 400}).y() - y) < 1e-9);
     }

@@ -231,13 +231,13 @@ DrawnSpring drawnSpring(double length, double rest)
 void SceneShapesTest::aSpringKeepsItsTurnsAndShowsItsStretch()
 {
     const DrawnSpring pressed = drawnSpring(80.0, 120.0);
-    const DrawnSpring asItIs = drawnSpring(120.0, 120.0);
+    const DrawnSpring atRest = drawnSpring(120.0, 120.0);
     const DrawnSpring stretched = drawnSpring(240.0, 120.0);
-    QVERIFY(asItIs.crossings > 10);
-    QVERIFY(std::abs(stretched.crossings - asItIs.crossings) <= 2); // the ends of the count
-    QVERIFY(std::abs(pressed.crossings - asItIs.crossings) <= 2);
-    QVERIFY(pressed.height > asItIs.height + 1);
-    QVERIFY(stretched.height < asItIs.height - 2);
+    QVERIFY(atRest.crossings > 10);
+    QVERIFY(std::abs(stretched.crossings - atRest.crossings) <= 2); // the ends of the count
+    QVERIFY(std::abs(pressed.crossings - atRest.crossings) <= 2);
+    QVERIFY(pressed.height > atRest.height + 1);
+    QVERIFY(stretched.height < atRest.height - 2);
 }
 
 void SceneShapesTest::aSpringToAPlaceEndsThere()
@@ -370,7 +370,7 @@ void SceneShapesTest::aHiddenBodyIsNotDrawn()
     QCOMPARE(fixture.session.selected(), "p0"); // no ring, no name
     QVERIFY(fixture.pixels(fixture.theme.tokens().ink) == 0);
     QVERIFY(isPaper(fixture, fixture.image(), pixelAt(fixture, {270, 200})));
-    // Where both are out of the picture, only the one that shows has a sign at the edge.
+    // If both bodies are outside the picture, only the visible one has a sign at the edge.
     while (fixture.view.zoom() < 1500.0)
         fixture.wheel({20, 450}, {0, 120});
     QVERIFY(!fixture.view.viewport()->rect().contains(pixelAt(fixture, {270, 200})));

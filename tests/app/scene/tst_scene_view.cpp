@@ -37,16 +37,16 @@ private slots:
     void aClickSelectsAndChangesNothing_data();
     void aClickSelectsAndChangesNothing();
     void aPressTakesHoldAtOnceWhileTheRunPlays();
-    void aHandThatTakesSomethingStartsTime_data();
-    void aHandThatTakesSomethingStartsTime();
-    void theHandOfAReplayedRunIsSeen();
-    void theHandReachesTwelvePixels_data();
-    void theHandReachesTwelvePixels();
+    void draggingABodyStartsThePlaybackAtEitherEndOfTheRun_data();
+    void draggingABodyStartsThePlaybackAtEitherEndOfTheRun();
+    void recordedPointerOfAReplayIsDrawn();
+    void bodiesCanBeGrabbedFromTwelvePixelsAway_data();
+    void bodiesCanBeGrabbedFromTwelvePixelsAway();
     void theNearestOfTwoBodiesIsTaken();
     void aBodyUnderAnotherOneIsNotTaken();
     void aHiddenBodyIsNotTaken();
-    void theHandLetsGo_data();
-    void theHandLetsGo();
+    void escapeFocusLossAndANewStepReleaseTheBody_data();
+    void escapeFocusLossAndANewStepReleaseTheBody();
     void theCursorIsAHandOverBodies();
     void bracketsChooseTheNextAndThePreviousBody();
     void altArrowsCarryTheSelectedBody_data();
@@ -54,7 +54,7 @@ private slots:
     void keysOfTheWindowAreNotEaten_data();
     void keysOfTheWindowAreNotEaten();
     void theWheelZoomsWhileABodyIsCarried();
-    void thePlaceOfTheSelectedBodyIsSaid();
+    void screenReadersHearThePositionOfTheSelectedBody();
 };
 
 void SceneViewTest::aDragCarriesTheBodyThatWasPressed()
@@ -128,7 +128,7 @@ void SceneViewTest::aPressTakesHoldAtOnceWhileTheRunPlays()
     QCOMPARE(dragEvents(fixture.session), QStringList({"grab body", "release"}));
 }
 
-void SceneViewTest::aHandThatTakesSomethingStartsTime_data()
+void SceneViewTest::draggingABodyStartsThePlaybackAtEitherEndOfTheRun_data()
 {
     QTest::addColumn<int>("computed");
     QTest::addColumn<int>("frame");
@@ -141,7 +141,7 @@ void SceneViewTest::aHandThatTakesSomethingStartsTime_data()
     QTest::newRow("inside a frame") << 20 << 20 << 2 << false;
 }
 
-void SceneViewTest::aHandThatTakesSomethingStartsTime()
+void SceneViewTest::draggingABodyStartsThePlaybackAtEitherEndOfTheRun()
 {
     QFETCH(int, computed);
     QFETCH(int, frame);
@@ -169,7 +169,7 @@ void SceneViewTest::aHandThatTakesSomethingStartsTime()
     fixture.session.playback().pause();
 }
 
-void SceneViewTest::theHandOfAReplayedRunIsSeen()
+void SceneViewTest::recordedPointerOfAReplayIsDrawn()
 {
     SceneFixture fixture;
     const auto inked = [&] { return fixture.pixels(fixture.theme.tokens().ink); };
@@ -191,7 +191,7 @@ void SceneViewTest::theHandOfAReplayedRunIsSeen()
     QVERIFY(withPointer > inked() + 20);
 }
 
-void SceneViewTest::theHandReachesTwelvePixels_data()
+void SceneViewTest::bodiesCanBeGrabbedFromTwelvePixelsAway_data()
 {
     QTest::addColumn<double>("zoom");
     QTest::addColumn<int>("away");
@@ -202,7 +202,7 @@ void SceneViewTest::theHandReachesTwelvePixels_data()
     QTest::newRow("large, outside of the disc") << 500.0 << 33 << false;
 }
 
-void SceneViewTest::theHandReachesTwelvePixels()
+void SceneViewTest::bodiesCanBeGrabbedFromTwelvePixelsAway()
 {
     QFETCH(double, zoom);
     QFETCH(int, away);
@@ -263,7 +263,7 @@ void SceneViewTest::aHiddenBodyIsNotTaken()
     fixture.release(shown + QPoint(30, 0));
 }
 
-void SceneViewTest::theHandLetsGo_data()
+void SceneViewTest::escapeFocusLossAndANewStepReleaseTheBody_data()
 {
     QTest::addColumn<QString>("how");
     QTest::newRow("when Escape is pressed") << "escape";
@@ -271,7 +271,7 @@ void SceneViewTest::theHandLetsGo_data()
     QTest::newRow("when another step opens") << "step";
 }
 
-void SceneViewTest::theHandLetsGo()
+void SceneViewTest::escapeFocusLossAndANewStepReleaseTheBody()
 {
     QFETCH(QString, how);
     SceneFixture fixture;
@@ -376,7 +376,7 @@ void SceneViewTest::theWheelZoomsWhileABodyIsCarried()
     QVERIFY(QLineF(fixture.onScreen("foot0"), start + QPoint(41, 0)).length() < 4.0);
 }
 
-void SceneViewTest::thePlaceOfTheSelectedBodyIsSaid()
+void SceneViewTest::screenReadersHearThePositionOfTheSelectedBody()
 {
     SceneFixture fixture;
     QCOMPARE(fixture.view.accessibleDescription(), "foot 0 at (310, 240), at rest");

@@ -10,7 +10,7 @@
 
 using namespace app;
 
-/// What a stencil paints, against the areas of circles and rectangles.
+/// The painting of a stencil, against the areas of circles and rectangles.
 class StencilTest : public QObject
 {
     Q_OBJECT
@@ -48,7 +48,7 @@ private slots:
     void shapesOutsideLeaveNoInk();
     void halfOfADiscAtTheEdgeIsThere();
     void aFaintColourIsFaint();
-    void itStartsEmptyEachTime();
+    void stencilStartsEmptyEachTime();
 };
 
 void StencilTest::aDiscCoversItsArea_data()
@@ -64,7 +64,7 @@ void StencilTest::aDiscCoversItsArea_data()
     }
 }
 
-/// Edges are soft over one px: so near as that lets it be.
+/// Edges are antialiased over one px, which limits the accuracy of the area.
 void StencilTest::aDiscCoversItsArea()
 {
     QFETCH(double, radius);
@@ -85,7 +85,7 @@ void StencilTest::aLineCoversItsArea_data()
     }
 }
 
-/// At 45 degrees all of a line lies alike in its px, and no error is levelled out.
+/// At 45 degrees a line covers all its pixels in the same way, so errors do not average out.
 void StencilTest::aLineCoversItsArea()
 {
     QFETCH(double, width);
@@ -108,7 +108,7 @@ void StencilTest::aShortLineIsNotLonger()
     }
 }
 
-/// Two that let half through let a quarter through; what lets nothing through cannot do more.
+/// Two lines that cover half of a pixel leave a quarter of it. More lines on a fully covered pixel change nothing.
 void StencilTest::linesOnTopOfEachOtherCoverEachPixelOnce()
 {
     const auto times = [](int count, double width) {
@@ -151,7 +151,7 @@ void StencilTest::aFaintColourIsFaint()
     QVERIFY(std::abs(inked(draw, 1.0, QColor(0, 0, 0, 102)) / inked(draw) - 0.4) < 0.01);
 }
 
-void StencilTest::itStartsEmptyEachTime()
+void StencilTest::stencilStartsEmptyEachTime()
 {
     QCOMPARE(inked([](Stencil &s) {
                  s.addDisc({100.0, 100.0}, 30.0);

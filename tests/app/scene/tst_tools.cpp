@@ -1,4 +1,4 @@
-// Pointer, targets and keys that reach the scene.
+// Input to the scene: pointer, targets and keys.
 
 #include "app/ui/scene/body_drag.h"
 #include "lessons/api/view/view.h"
@@ -46,7 +46,7 @@ lessons::Step stepThatKnows(const char *id, std::vector<Interaction> does, int p
     return step;
 }
 
-/// What the run was told, one word an event with its place in whole px.
+/// Returns the input of the run, one word per event with its position in whole px.
 QStringList told(const Session &session)
 {
     QStringList all;
@@ -65,7 +65,7 @@ QStringList told(const Session &session)
     return all;
 }
 
-/// All that a step says of what to do.
+/// Returns all texts of a step that ask the learner to do something.
 QString phraseOf(const lessons::Step &step)
 {
     QString all;
@@ -111,7 +111,7 @@ class TestTools : public QObject
     Q_OBJECT
 
 private slots:
-    void aPressOnTheBackgroundIsThePointersDownToItsRelease()
+    void pointerIsDownFromPressToReleaseOnTheBackground()
     {
         ToolFixture fixture(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         const QPoint from = fixture.onScreen(empty), to = fixture.onScreen({380, 300});
@@ -136,7 +136,7 @@ private slots:
         QCOMPARE(told(fixture.session), QStringList{fixture.word("down", fixture.onScreen({380, 320}))});
     }
 
-    void aBodyIsStillTakenByTheHand()
+    void bodyCanStillBeDragged()
     {
         ToolFixture fixture(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         const QPoint body = fixture.onScreen({300, 150});

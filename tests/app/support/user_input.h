@@ -7,7 +7,7 @@ class QPointF;
 class QString;
 class QWidget;
 
-/// What a user does with the mouse and the keys, beside the functions of Qt Test.
+/// Mouse and keyboard input of a user that Qt Test has no function for.
 namespace tests {
 
 /// Moves the mouse over a widget. QTest::mouseMove() does so without buttons only.

@@ -68,7 +68,7 @@ public:
     /// Clicks the button of the notice with this text. Returns whether there is one.
     bool answer(const QString &text);
 
-    // What a user sees
+    // State that a user can see
     /// Returns whether the title has the mark of a run that is not saved.
     bool isMarked() const { return window.isWindowModified(); }
     QImage screenshot() { return window.grab().toImage(); }

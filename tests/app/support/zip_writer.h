@@ -32,7 +32,7 @@ inline QByteArray zipOf(const std::map<QString, QByteArray> &files)
         const QByteArray name = file.toUtf8(), packed = deflated(content);
         const auto crc = static_cast<quint32>(crc32(0, reinterpret_cast<const Bytef *>(content.constData()),
                                                     static_cast<uInt>(content.size())));
-        QByteArray shared; // what both headers have
+        QByteArray shared; // the part that both headers have
         appendNumber(shared, version, 2), appendNumber(shared, isUtf8, 2);
         appendNumber(shared, isDeflated, 2), appendNumber(shared, 0, 2), appendNumber(shared, firstDay, 2);
         appendNumber(shared, crc, 4), appendNumber(shared, static_cast<quint32>(packed.size()), 4);

@@ -37,6 +37,6 @@ struct TimeFixture
     app::FrameCounter *counter() const { return bar->findChild<app::FrameCounter *>(); }
     QLineEdit *editor() const { return bar->findChild<QLineEdit *>("goToFrame"); }
     QPoint onTrack(std::int64_t frame) const { return {qRound(strip->axis().xOf(frame)), 25}; }
-    /// Whether the state is, bit for bit, that of a run that goes straight to where the cursor is.
+    /// Returns whether the state has the bits of a straight run to the cursor.
     bool isStraightRun() const;
 };

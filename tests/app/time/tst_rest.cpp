@@ -1,4 +1,4 @@
-// Playing when everything has come to rest: time waits, and goes on when something is touched.
+// Playing a run at rest: the playback waits, and continues after user input.
 
 #include "tests/app/support/waiting.h"
 #include "tests/app/time/time_support.h"
@@ -62,7 +62,7 @@ private slots:
         QVERIFY(fixture.isAwakeRun());
     }
 
-    void aTouchWakesIt()
+    void grabbingABodyWakesTheRun()
     {
         Settled fixture;
         fixture.session.playback().play();
@@ -80,7 +80,7 @@ private slots:
         QVERIFY(fixture.isAwakeRun());
     }
 
-    void aParameterWakesIt()
+    void changingAParameterWakesTheRun()
     {
         Settled fixture;
         fixture.session.playback().play();
@@ -92,7 +92,7 @@ private slots:
         QVERIFY(fixture.isAwakeRun());
     }
 
-    void itCanBeStoppedAndSteppedAsAlways()
+    void waitingRunCanBePausedAndStepped()
     {
         Settled fixture;
         fixture.session.playback().play();
@@ -152,7 +152,7 @@ private slots:
 
     void aThingToTryThatTakesTimeGetsIt()
     {
-        // Done when nothing was touched for 150 frames after the last change: long after everything rests.
+        // The thing to try needs 150 frames without input after the last change, long after the run is at rest.
         lessons::Step step = Settled().session.step();
         step.id = "waits";
         step.tries = {

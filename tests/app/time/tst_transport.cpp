@@ -17,14 +17,14 @@ private slots:
     void everyButtonDoesWhatItSays_data();
     void everyButtonDoesWhatItSays();
     void buttonsAreEnabledWhereTheyCanAct();
-    void atAStopOnlyThePastIsOpen();
+    void stoppedRunCannotGoForward();
     void aTypedFrameIsGoneTo_data();
     void aTypedFrameIsGoneTo();
-    void aTypedFrameThatIsNoneIsRefused_data();
-    void aTypedFrameThatIsNoneIsRefused();
+    void invalidFrameIsRefused_data();
+    void invalidFrameIsRefused();
     void escapeLeavesTheEditorAndChangesNothing();
     void goingFarShowsTheGoalAndEscapeEndsIt();
-    void manyGoalsDoNotHoldTheWindowUp();
+    void manyGoalsDoNotBlockTheWindow();
     void speedNeverChangesTheStep();
     void theSpeedMenuSetsTheSpeed();
     void theCounterShowsWhatTheTimelineHas_data();
@@ -79,7 +79,7 @@ void TestTransport::buttonsAreEnabledWhereTheyCanAct()
     QVERIFY(!fixture.session.playback().isPlaying());
 }
 
-void TestTransport::atAStopOnlyThePastIsOpen()
+void TestTransport::stoppedRunCannotGoForward()
 {
     TimeFixture fixture;
     fixture.session.editor().setParameter("k", 1e300);
@@ -122,7 +122,7 @@ void TestTransport::aTypedFrameIsGoneTo()
     QVERIFY(fixture.isStraightRun());
 }
 
-void TestTransport::aTypedFrameThatIsNoneIsRefused_data()
+void TestTransport::invalidFrameIsRefused_data()
 {
     QTest::addColumn<QString>("typed");
     QTest::newRow("words") << "soon";
@@ -134,7 +134,7 @@ void TestTransport::aTypedFrameThatIsNoneIsRefused_data()
     QTest::newRow("longer than any number") << "123456789012345678901234567890";
 }
 
-void TestTransport::aTypedFrameThatIsNoneIsRefused()
+void TestTransport::invalidFrameIsRefused()
 {
     QFETCH(QString, typed);
     TimeFixture fixture;
@@ -184,7 +184,7 @@ void TestTransport::goingFarShowsTheGoalAndEscapeEndsIt()
     QCOMPARE(fixture.button("play")->accessibleName(), "Play");
 }
 
-void TestTransport::manyGoalsDoNotHoldTheWindowUp()
+void TestTransport::manyGoalsDoNotBlockTheWindow()
 {
     TimeFixture fixture;
     for (int i = 0; i < 100; ++i)
@@ -193,7 +193,7 @@ void TestTransport::manyGoalsDoNotHoldTheWindowUp()
     const QSignalSpy slices(&fixture.session.changes(), &ChangeNotifier::changed);
     QCoreApplication::processEvents();
     QCoreApplication::processEvents();
-    // Two slices of the way, not two hundred.
+    // Two slices of work are run, not two hundred.
     QVERIFY2(slices.count() > 0 && slices.count() <= 2, qPrintable(QString::number(slices.count())));
     fixture.session.playback().pause();
 }

@@ -44,7 +44,7 @@ struct CursorFixture : tests::WindowFixture
         QCoreApplication::processEvents();
     }
     void hover(QWidget &widget, QPointF place) { QTest::mouseMove(&widget, place.toPoint()); }
-    /// Moves the mouse to where nothing is.
+    /// Moves the mouse to an empty place.
     void park()
     {
         QTest::mouseMove(window.statusBar(), {3, 3});

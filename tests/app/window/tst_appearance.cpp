@@ -1,4 +1,4 @@
-// How the learner wants the window to look, and that it is so at the next start.
+// The learner's choices of appearance, and their restoration at the next start.
 
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/settings/size_menu.h"
@@ -137,7 +137,7 @@ void AppearanceTest::theChoiceOfDrawingsIsRemembered()
 
 void AppearanceTest::lessMotionStopsWhatOnlyDecorates()
 {
-    // A piece of the picture with nothing in it but wind, at one moment and ten frames later.
+    // A part of the picture that shows only wind, at one moment and ten frames later.
     const auto moves = [](LargeWindow &fixture) {
         auto *view = fixture.window.findChild<SceneView *>();
         view->zoomTo100(); // else the picture makes room for the tree, which the wind bends

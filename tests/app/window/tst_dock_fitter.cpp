@@ -1,4 +1,4 @@
-// The room that the window asks for: all panels go into a small screen, and what does not fit in less steps aside.
+// The dock fitter: all panels fit into a small screen. In a smaller window, some panels are hidden or become tabs.
 
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/lessons/lesson_list.h"
@@ -61,7 +61,7 @@ struct FitterFixture : WindowFixture
         auto *title = window.findChild<Narration *>()->findChild<QLabel *>("stepTitle");
         return text->y() - title->geometry().bottom() - 1;
     }
-    /// Where everything stands that the size of the window moves.
+    /// Returns the geometry of everything that depends on the size of the window.
     QString places() const
     {
         QStringList all;
@@ -154,7 +154,7 @@ private slots:
                     least.width() <= 1280 && least.height() <= 800,
                     qPrintable(QString("%1: %2 x %3").arg(step.id).arg(least.width()).arg(least.height())));
                 QCOMPARE(fixture.window.size(), QSize(1280, 800));
-                QCOMPARE(fixture.shownDocks(), before); // nothing had to go
+                QCOMPARE(fixture.shownDocks(), before); // no dock had to be hidden
             }
         }
     }
@@ -236,16 +236,16 @@ private slots:
         QVERIFY(isAsBefore());
     }
 
-    void aWindowThatComesBackToItsSizeIsAsItWas_data()
+    void resizingBackRestoresTheLayout_data()
     {
         QTest::addColumn<QSize>("size");
-        // Of each of them to all others and back: the usual ones, and the smallest.
+        // Each of these sizes is changed to every other and back: the usual ones, and the smallest.
         for (const QSize size :
              {screenSizes[0], screenSizes[1], screenSizes[4], screenSizes[8], screenSizes[9]})
             QTest::newRow(qPrintable(sizeName(size))) << size;
     }
 
-    void aWindowThatComesBackToItsSizeIsAsItWas()
+    void resizingBackRestoresTheLayout()
     {
         QFETCH(const QSize, size);
         FitterFixture fixture(size, "single_spring", "fixed_centre");

@@ -1,4 +1,4 @@
-// A run that stops by itself: the card over the picture, and what mends it, with real widgets.
+// The notice over the picture when a run stops by itself, and its remedies, with real widgets.
 
 #include "app/model/text/sentences.h"
 #include "app/ui/window/failure_notice.h"
@@ -15,7 +15,7 @@ using namespace tests;
 
 namespace {
 
-/// Sixty feet at one step a frame: more than `published` holds.
+/// Sixty feet at one step per frame, which is unstable with `published`.
 struct FailureFixture : WindowFixture
 {
     FailureFixture() : WindowFixture({"multi_foot", "grown_feet"})
@@ -52,7 +52,7 @@ class FailureNoticeTest : public QObject
     Q_OBJECT
 
 private slots:
-    void itSaysWhatFailedAndOffersWhatHolds()
+    void noticeNamesTheFailureAndOffersRemedies()
     {
         FailureFixture fixture;
         QVERIFY(fixture.failure.isHidden());

@@ -71,13 +71,13 @@ private slots:
     void goingOnToAnotherStepKeepsEachStepsFile();
     void aNameWithoutAnEndingIsOneOfAnExperiment();
     void newIsTheStepAsPublishedAndUndoBringsItBack();
-    void openingAsksBeforeItTakesTheSceneAway();
-    void theQuestionGoesAwayUnanswered();
+    void openingAFileAsksAboutUnsavedChanges();
+    void escapeCancelsTheQuestion();
     void aDroppedFileIsOpenedWhereverItFalls_data();
     void aDroppedFileIsOpenedWhereverItFalls();
     void twoFilesAtOnceAreNotTaken();
     void theLatestEightFilesAreInTheMenu();
-    void aFileThatIsGoneIsSaidAndTakenOut();
+    void missingRecentFileIsReportedAndRemoved();
     void aRunIsCopiedAndPastedWithAllItsBits();
     void pastedTextThatIsNoExperimentIsRefusedWithASentence_data();
     void pastedTextThatIsNoExperimentIsRefusedWithASentence();
@@ -203,7 +203,7 @@ void FilesTest::newIsTheStepAsPublishedAndUndoBringsItBack()
     QVERIFY(fixture.isMarked());
 }
 
-void FilesTest::openingAsksBeforeItTakesTheSceneAway()
+void FilesTest::openingAFileAsksAboutUnsavedChanges()
 {
     const QString path = saved("asked.json", "radial");
     const QString mine = saved("mine.json", "fixed_centre");
@@ -225,7 +225,7 @@ void FilesTest::openingAsksBeforeItTakesTheSceneAway()
     QCOMPARE(fixture.session.step().id, QString("fixed_centre"));
 }
 
-void FilesTest::theQuestionGoesAwayUnanswered()
+void FilesTest::escapeCancelsTheQuestion()
 {
     const QString path = saved("never.json", "radial");
     WindowFixture fixture;
@@ -287,7 +287,7 @@ void FilesTest::theLatestEightFilesAreInTheMenu()
     QVERIFY(fixture.window.windowTitle().contains("r9.json"));
 }
 
-void FilesTest::aFileThatIsGoneIsSaidAndTakenOut()
+void FilesTest::missingRecentFileIsReportedAndRemoved()
 {
     WindowFixture fixture;
     const QString path = m_folder.filePath("gone.json");

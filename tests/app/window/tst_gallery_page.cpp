@@ -1,4 +1,4 @@
-// The gallery: what it keeps on the disk, and how a learner uses it with mouse and keys.
+// The gallery: its files, and its use with mouse and keys.
 
 #include "tests/app/support/files.h"
 #include "tests/app/support/window_fixture.h"
@@ -186,7 +186,7 @@ void GalleryTest::renamesWithTheKeyboard()
     QTest::keyClicks(field, "My spring");
     QTest::keyClick(field, Qt::Key_Return);
     settle();
-    QVERIFY(window.page().isVisible()); // Return has not opened it
+    QVERIFY(window.page().isVisible()); // Return has not opened the experiment
     QCOMPARE(window.titles(), QStringList{"My spring"});
     QCOMPARE(Gallery(window.folder.path()).all().front().title, "My spring");
 }

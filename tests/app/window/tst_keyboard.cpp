@@ -53,7 +53,7 @@ struct WindowOfPanels : LargeWindow
     }
 };
 
-/// Something that answers to a learner: a control, or a widget of ours that takes the focus.
+/// Returns whether a widget is a control, or a widget of the program that takes the focus.
 bool isInteractive(const QWidget &widget)
 {
     if (!widget.isVisible() || !widget.isEnabled() || qobject_cast<const QScrollBar *>(&widget) ||
@@ -81,7 +81,7 @@ QString nameOf(const QWidget &widget)
     return name;
 }
 
-/// Whether it is one of several of which one is on: Tab comes to that one, arrow keys to the others.
+/// Returns whether both are buttons of one exclusive group. Tab reaches one of the group, arrow keys the others.
 bool standsFor(const QWidget &walked, const QWidget &widget)
 {
     const auto *one = qobject_cast<const QAbstractButton *>(&walked);
@@ -92,7 +92,7 @@ bool standsFor(const QWidget &walked, const QWidget &widget)
     return sameGroup || (one->autoExclusive() && other->autoExclusive());
 }
 
-/// What has the focus, one after the other, while Tab is pressed until it comes round. A text goes through its links first.
+/// Returns all widgets that get the focus when Tab is pressed until it wraps around. A text first visits its links.
 std::set<QWidget *> walkedByTab(QWidget &window)
 {
     constexpr int mostLinks = 40;
@@ -118,27 +118,27 @@ class KeyboardTest : public QObject
 
 private slots:
     void init() { QSettings().clear(); }
-    void tabReachesEverythingAndComesRound_data();
-    void tabReachesEverythingAndComesRound();
+    void tabReachesEveryControlAndWrapsAround_data();
+    void tabReachesEveryControlAndWrapsAround();
     void everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data();
     void everythingThatTakesTheFocusHasANameForReadersOfTheScreen();
     void spacePlaysAfterAnyClick();
     void theSceneAloneIsOneKeyAwayAndBack();
-    void panelsGiveWayOnASmallScreen_data();
-    void panelsGiveWayOnASmallScreen();
+    void lessonListBecomesARailIfTheScreenIsSmall_data();
+    void lessonListBecomesARailIfTheScreenIsSmall();
     void escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt();
     void theKeyOfADisabledCommandSaysWhy();
     void theFocusOfAPanelThatHidesGoesToTheScene();
 };
 
-void KeyboardTest::tabReachesEverythingAndComesRound_data()
+void KeyboardTest::tabReachesEveryControlAndWrapsAround_data()
 {
     QTest::addColumn<MainWindow::Mode>("mode");
     QTest::newRow("learning") << MainWindow::Mode::learn;
     QTest::newRow("measuring") << MainWindow::Mode::measure;
 }
 
-void KeyboardTest::tabReachesEverythingAndComesRound()
+void KeyboardTest::tabReachesEveryControlAndWrapsAround()
 {
     QFETCH(const MainWindow::Mode, mode);
     WindowOfPanels fixture(mode);
@@ -163,7 +163,7 @@ void KeyboardTest::tabReachesEverythingAndComesRound()
 
 void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data()
 {
-    tabReachesEverythingAndComesRound_data();
+    tabReachesEveryControlAndWrapsAround_data();
 }
 
 void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen()
@@ -198,7 +198,7 @@ void KeyboardTest::spacePlaysAfterAnyClick()
     QVERIFY(plays(list->viewport(), list->visualRect(list->currentIndex()).center()));
     auto *reset = fixture.window.findChild<QToolButton *>("resetAll");
     QVERIFY(plays(reset, reset->rect().center()));
-    // Whoever comes there by keys presses it with Space.
+    // A keyboard user reaches the button by Tab and presses it with Space.
     const QString before = fixture.session.step().id;
     next->setFocus(Qt::TabFocusReason);
     QTest::keyClick(next, Qt::Key_Space);
@@ -218,7 +218,7 @@ void KeyboardTest::theSceneAloneIsOneKeyAwayAndBack()
     QCOMPARE(fixture.shownDocks(), before);
 }
 
-void KeyboardTest::panelsGiveWayOnASmallScreen_data()
+void KeyboardTest::lessonListBecomesARailIfTheScreenIsSmall_data()
 {
     QTest::addColumn<QSize>("room");
     QTest::addColumn<bool>("rail");
@@ -229,7 +229,7 @@ void KeyboardTest::panelsGiveWayOnASmallScreen_data()
     QTest::newRow("as small as can be") << QSize(800, 500) << true;
 }
 
-void KeyboardTest::panelsGiveWayOnASmallScreen()
+void KeyboardTest::lessonListBecomesARailIfTheScreenIsSmall()
 {
     QFETCH(const QSize, room);
     QFETCH(const bool, rail);

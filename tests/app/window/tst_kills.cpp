@@ -1,6 +1,6 @@
-// Programs that are killed at random moments during user input: all input but that of the last two seconds is there at the
-// next start, and no file is damaged. SPRINGSTEP_KILLS in the environment says how many, and
-// SPRINGSTEP_RANDOM_SEED which; tests/kill does 200.
+// Programs that are killed at random moments during user input. The next start loses at most the last two seconds of
+// input, and no file is damaged. The environment variable SPRINGSTEP_KILLS sets the number of programs, and
+// SPRINGSTEP_RANDOM_SEED the seed. tests/kill runs 200.
 
 #include "app/model/files/autosave.h"
 #include "tests/sizes.h"

@@ -30,7 +30,7 @@ struct LayoutFixture : WindowFixture
         : WindowFixture({.lesson = "one", .step = "first", .size = size, .library = twoLessons()})
     {
     }
-    /// Takes an entry of the menu that arranges panels.
+    /// Triggers an entry of the menu that arranges panels.
     void move(const QString &panel, const QString &where)
     {
         auto *menu = window.findChild<QMenu *>("arrange");

@@ -1,4 +1,4 @@
-// What is measured follows the one cursor, too: the stability gauge, and the error over the run.
+// Measurements follow the shared cursor: the stability gauge, and the error over the run.
 
 #include "tests/app/panels/accuracy_support.h"
 #include "tests/app/window/cursor_support.h"
@@ -29,7 +29,7 @@ struct Stiffened : CursorFixture
         park();
         QVERIFY(QTest::qWaitFor([&] { return qRound(gauge.percent()) == qRound(percentAt(currentFrame)); }));
     }
-    /// What the gauge should say of a moment.
+    /// Returns the share of the stability limit that the gauge should show for a frame, in %.
     double percentAt(std::int64_t frame)
     {
         sim::Track track(session.timeline().script(), 0);
@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(fixture.heard(QAccessible::Description), heard);
     }
 
-    void aHandThatMovesOnEndsAtTheMomentWhereItStands()
+    void gaugeShowsTheFrameWhereTheMouseStopped()
     {
         Stiffened fixture;
         for (const std::int64_t frame : {50, 40, 20, 10, 35})
@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(panel.verdict(), verdict);
     }
 
-    void theMouseInTheErrorOverTheRunLooksThere()
+    void hoveringTheErrorPlotPreviewsItsFrame()
     {
         Measuring fixture;
         RunPlot &plot = fixture.panel.run();

@@ -1,4 +1,4 @@
-// One cursor for picture, code, values, plots and timeline: where the mouse is in one of them is seen in all others.
+// One cursor for picture, code, values, plots and timeline: hovering one of them marks the moment in all others.
 
 #include "tests/app/window/cursor_support.h"
 
@@ -26,7 +26,7 @@ using cursor_support::CursorFixture;
 
 namespace {
 
-/// All that a learner sees and that a look must give back.
+/// Everything on the screen that a preview must restore.
 struct Sight
 {
     explicit Sight(CursorFixture &fixture)

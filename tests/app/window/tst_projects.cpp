@@ -1,4 +1,4 @@
-// The project after a lesson, as a learner meets it: on the page after the lesson, and in the sandbox.
+// The project of a lesson in the window: on the page after the lesson, and in the sandbox.
 
 #include "tests/app/support/window_fixture.h"
 

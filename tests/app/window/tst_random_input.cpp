@@ -22,8 +22,8 @@ class RandomInputTest : public QObject
 private slots:
     void initTestCase();
     void init() { QSettings().clear(); }
-    void theRunIsTheOneThatItsFileTells_data();
-    void theRunIsTheOneThatItsFileTells();
+    void runEqualsTheRunOfItsFile_data();
+    void runEqualsTheRunOfItsFile();
 
 private:
     QTemporaryDir m_folder;
@@ -36,7 +36,7 @@ void RandomInputTest::initTestCase()
     QDir::setCurrent(m_folder.path());
 }
 
-void RandomInputTest::theRunIsTheOneThatItsFileTells_data()
+void RandomInputTest::runEqualsTheRunOfItsFile_data()
 {
     QTest::addColumn<QString>("lesson");
     QTest::addColumn<QString>("step");
@@ -60,7 +60,7 @@ void RandomInputTest::theRunIsTheOneThatItsFileTells_data()
     }
 }
 
-void RandomInputTest::theRunIsTheOneThatItsFileTells()
+void RandomInputTest::runEqualsTheRunOfItsFile()
 {
     QFETCH(QString, lesson);
     QFETCH(QString, step);

@@ -1,4 +1,4 @@
-// What is kept against a crash, and how it is offered at the next start.
+// Autosaved scenes, and how the next start offers them after a crash.
 
 #include "tests/app/support/window_fixture.h"
 
@@ -103,12 +103,12 @@ private slots:
     void aClosedNoticeForgetsNothing();
     void anUnsavedSceneIsOfferedAfterANormalExit();
     void aProgramThatRunsKeepsItsScenesToItself();
-    void severalAreOneListWithWhatWhenAndHowLong();
-    void anyOfTheListIsRecoveredOrDeleted();
+    void severalScenesAreListedWithTitleLengthAndTime();
+    void anyListedSceneCanBeRecoveredOrDeleted();
     void aSceneKeepsTheTimeOfItsLastChangeThroughRestarts();
     void aBuiltSceneIsOfferedInTheSandbox();
     void aDamagedSceneIsRefusedWithASentence();
-    void aFolderThatCannotBeWrittenIsSaidOnce();
+    void unwritableFolderIsReportedOnce();
 
 private:
     QTemporaryDir m_folder;
@@ -202,7 +202,7 @@ void RecoveryTest::theSceneOfAKilledProgramIsOfferedAndGoesOnWhereItWas()
     QCOMPARE(next.session.timeline().cursor().frame, 80);
     QVERIFY(sim::sameBits(next.session.timeline().state(), end));
     QVERIFY(next.isMarked());
-    // It is kept by the program that has it now, and by no other.
+    // Only the program that has recovered the scene autosaves it.
     QCOMPARE(scenesIn(folder.path()).size(), 1);
     QVERIFY(!QDir(folder.path() + "/of-another-program").exists());
 }
@@ -312,7 +312,7 @@ void RecoveryTest::aProgramThatRunsKeepsItsScenesToItself()
     QCOMPARE(kept.script.values, two.session.timeline().script().values);
 }
 
-void RecoveryTest::severalAreOneListWithWhatWhenAndHowLong()
+void RecoveryTest::severalScenesAreListedWithTitleLengthAndTime()
 {
     const QTemporaryDir folder;
     leaveThree(folder.path());
@@ -332,7 +332,7 @@ void RecoveryTest::severalAreOneListWithWhatWhenAndHowLong()
     QCOMPARE(last.text(2), timeOf(QFileInfo(file).lastModified()));
 }
 
-void RecoveryTest::anyOfTheListIsRecoveredOrDeleted()
+void RecoveryTest::anyListedSceneCanBeRecoveredOrDeleted()
 {
     const QTemporaryDir folder;
     leaveThree(folder.path());
@@ -413,7 +413,7 @@ void RecoveryTest::aDamagedSceneIsRefusedWithASentence()
     QVERIFY(file.exists());
 }
 
-void RecoveryTest::aFolderThatCannotBeWrittenIsSaidOnce()
+void RecoveryTest::unwritableFolderIsReportedOnce()
 {
     const QTemporaryDir folder;
     const TickCounter ticks;

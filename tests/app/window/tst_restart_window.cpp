@@ -1,4 +1,4 @@
-// Where the last start left off: the step that was open, and all of the scene where a choice needs a new start.
+// A restart restores the open step. If a choice needs a restart, the whole scene is restored as well.
 
 #include "tests/app/support/panel_fixture.h"
 #include "tests/app/support/window_fixture.h"
@@ -152,7 +152,7 @@ private slots:
         QVERIFY2(restart.sentence().isEmpty(),
                  qPrintable(restart.sentence())); // the run that is open is not offered
         QVERIFY(restart.window->isWindowModified());
-        // It is kept against a crash again.
+        // The scene is autosaved again.
         const std::vector<RecoveredScene> kept = recoveredScenes(folder.path());
         QVERIFY(kept.empty()); // none without a program that runs
         QCOMPARE(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);

@@ -39,7 +39,7 @@ struct RestoredWindow : WindowFixture
     }
 };
 
-/// Where a dock stands, and whether it is hidden.
+/// The area of a dock, and whether it is hidden.
 struct Place
 {
     const char *dock;
@@ -58,10 +58,10 @@ class SavedSettingsTest : public QObject
 private slots:
     void init();
 
-    void theWindowStandsWhereItStood();
+    void windowHasItsSavedGeometry();
     void theStepThatWasOpenIsOpened();
-    void panelsStandWhereTheyWerePut_data();
-    void panelsStandWhereTheyWerePut();
+    void panelsHaveTheirSavedAreasAndVisibility_data();
+    void panelsHaveTheirSavedAreasAndVisibility();
     void widthsThatWereDraggedAreKept();
     void thingsToTryStayTicked();
     void appearanceIsAsChosen();
@@ -88,7 +88,7 @@ void SavedSettingsTest::init()
         settings.setValue(key, saved.value(key));
 }
 
-void SavedSettingsTest::theWindowStandsWhereItStood()
+void SavedSettingsTest::windowHasItsSavedGeometry()
 {
     const RestoredWindow restored;
     QCOMPARE(restored.window.geometry(), QRect(60, 50, 720, 640));
@@ -103,7 +103,7 @@ void SavedSettingsTest::theStepThatWasOpenIsOpened()
     QCOMPARE(restored.session.step().id, QString("mutual"));
 }
 
-void SavedSettingsTest::panelsStandWhereTheyWerePut_data()
+void SavedSettingsTest::panelsHaveTheirSavedAreasAndVisibility_data()
 {
     QTest::addColumn<QSize>("size");
     QTest::addColumn<MainWindow::Mode>("mode");
@@ -133,7 +133,7 @@ void SavedSettingsTest::panelsStandWhereTheyWerePut_data()
                               {"energy", bottom, false},    {"branches", bottom, true}};
 }
 
-void SavedSettingsTest::panelsStandWhereTheyWerePut()
+void SavedSettingsTest::panelsHaveTheirSavedAreasAndVisibility()
 {
     QFETCH(const QSize, size);
     QFETCH(const MainWindow::Mode, mode);

@@ -1,4 +1,4 @@
-// What the status bar says, and for how long.
+// The messages and figures of the status bar, and how long they stay.
 
 #include "app/ui/parameters/number_box.h"
 #include "app/ui/status/status_figures.h"
@@ -28,7 +28,7 @@ private slots:
     void theStatusBarTellsTheWorkOfAFrame_data();
     void theStatusBarTellsTheWorkOfAFrame();
     void theStatusBarTellsWhatWasMeasuredAndNothingElse();
-    void figuresGiveWayToASentenceThatNeedsTheirRoom();
+    void longSentenceHidesSomeFigures();
     void pointsAreThoseOfThePicture();
     void theRangeOfAParameterIsThereToRead();
     void aSentenceIsThereWhileTheRunPlaysOn();
@@ -70,14 +70,14 @@ void StatusBarTest::theStatusBarTellsWhatWasMeasuredAndNothingElse()
              QStringList({"0.25\u2009µs a frame", "error 3.7\u2009px over 200 frames"}));
     fixture.session.editor().setParameter("k", 0.31); // another scene
     QCOMPARE(figures.figures().size(), 2);
-    // What chooses its own work is counted as it goes.
+    // An adaptive method chooses its number of evaluations, so they are counted during the run.
     fixture.session.editor().setMethod("dormand_prince");
     QCOMPARE(figures.figures().size(), 1);
     fixture.goTo(10);
     QVERIFY(figures.figures().at(1).endsWith("times a frame so far"));
 }
 
-void StatusBarTest::figuresGiveWayToASentenceThatNeedsTheirRoom()
+void StatusBarTest::longSentenceHidesSomeFigures()
 {
     WindowFixture fixture({.study = quickStudy});
     auto &figures = *fixture.window.findChild<StatusFigures *>();

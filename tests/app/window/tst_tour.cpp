@@ -1,5 +1,4 @@
-// The tour of the window: a minute with mouse or keyboard, which never stands in the way; and the keys of what helps
-// to learn.
+// The tour of the window, by mouse or keyboard, which never blocks the window. Also the keys of hints and glossary.
 
 #include "app/ui/help/tour.h"
 #include "app/ui/learn/learn_panel.h"
@@ -44,9 +43,9 @@ class TourTest : public QObject
 private slots:
     void init() { QSettings().clear(); }
 
-    void itIsOfferedOnceAndThenOnlyInTheMenu();
-    void itGoesThroughAllCards_data();
-    void itGoesThroughAllCards();
+    void tourIsOfferedOnceAndThenOnlyInTheMenu();
+    void tourShowsAllCards_data();
+    void tourShowsAllCards();
     void escEndsItAnywhere();
     void theWindowCanBeUsedMeanwhile();
     void cardsStayInTheWindowBesideTheirParts_data();
@@ -55,7 +54,7 @@ private slots:
     void aKeyOpensTheGlossaryWhichDoesNotLeaveTheLesson();
 };
 
-void TourTest::itIsOfferedOnceAndThenOnlyInTheMenu()
+void TourTest::tourIsOfferedOnceAndThenOnlyInTheMenu()
 {
     QVERIFY(Tour::isWanted());
     TourFixture fixture;
@@ -65,14 +64,14 @@ void TourTest::itIsOfferedOnceAndThenOnlyInTheMenu()
     QVERIFY(!Tour::isWanted());
 }
 
-void TourTest::itGoesThroughAllCards_data()
+void TourTest::tourShowsAllCards_data()
 {
     QTest::addColumn<bool>("byKey");
     QTest::newRow("mouse") << false;
     QTest::newRow("keyboard") << true;
 }
 
-void TourTest::itGoesThroughAllCards()
+void TourTest::tourShowsAllCards()
 {
     QFETCH(bool, byKey);
     TourFixture fixture;

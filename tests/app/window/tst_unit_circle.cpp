@@ -45,16 +45,16 @@ private slots:
 
     void numbersAreThoseOfTheAngle_data();
     void numbersAreThoseOfTheAngle();
-    void cosineAndSineAreThoseOfRandomPlaces();
-    void itFollowsTheHandAndTheRun();
+    void cosineAndSineMatchRandomPositions();
+    void circleFollowsDragsAndTheRun();
     void anArrowWithoutLengthHasNoDirection();
     void aBranchHasAnAngle();
-    void itIsThereOnlyInStepsWithAnAngle();
+    void circleIsShownOnlyInStepsWithAnAngle();
     void theKeySwitchesItAndTheChoiceIsRemembered();
     void eachChangePaintsItOnce();
-    void itCoversNoBodyIfItCanHelpIt();
-    void itCoversNoLegend();
-    void itIsHiddenWhereItWouldHideTheWholeFigure();
+    void circleAvoidsBodies();
+    void circleCoversNoLegend();
+    void circleIsHiddenWhereItWouldHideTheWholeFigure();
     void screenReadersGetTheNumbers();
 };
 
@@ -85,7 +85,7 @@ void UnitCircleTest::numbersAreThoseOfTheAngle()
     QVERIFY(std::abs(arrow.sine() - sine) < 1e-15);
 }
 
-void UnitCircleTest::cosineAndSineAreThoseOfRandomPlaces()
+void UnitCircleTest::cosineAndSineMatchRandomPositions()
 {
     CircleWindow fixture;
     fixture.session.playback().play();
@@ -116,7 +116,7 @@ void UnitCircleTest::cosineAndSineAreThoseOfRandomPlaces()
     QTest::mouseRelease(fixture.view.viewport(), Qt::LeftButton, {}, foot);
 }
 
-void UnitCircleTest::itFollowsTheHandAndTheRun()
+void UnitCircleTest::circleFollowsDragsAndTheRun()
 {
     CircleWindow fixture;
     QVERIFY(fixture.circle().isVisible());
@@ -153,7 +153,7 @@ void UnitCircleTest::aBranchHasAnAngle()
     QVERIFY(std::abs(circle.arrow()->sine() + 1.0) < 1e-9);
 }
 
-void UnitCircleTest::itIsThereOnlyInStepsWithAnAngle()
+void UnitCircleTest::circleIsShownOnlyInStepsWithAnAngle()
 {
     CircleWindow fixture("offset");
     QVERIFY(!fixture.circle().isVisible());
@@ -205,7 +205,7 @@ void UnitCircleTest::eachChangePaintsItOnce()
     QCOMPARE(paints.count, 1);
 }
 
-void UnitCircleTest::itCoversNoBodyIfItCanHelpIt()
+void UnitCircleTest::circleAvoidsBodies()
 {
     CircleWindow fixture;
     const auto isCovered = [&](const char *body) {
@@ -218,7 +218,7 @@ void UnitCircleTest::itCoversNoBodyIfItCanHelpIt()
     QVERIFY(fixture.circle().isVisible());
 }
 
-void UnitCircleTest::itCoversNoLegend()
+void UnitCircleTest::circleCoversNoLegend()
 {
     QSettings().setValue("code/page", "engine");
     WindowFixture fixture({.lesson = "walking_gait", .step = "bones", .size = {1280, 800}});
@@ -240,7 +240,7 @@ void UnitCircleTest::itCoversNoLegend()
     QCOMPARE(rows, 2); // in narrow views
 }
 
-void UnitCircleTest::itIsHiddenWhereItWouldHideTheWholeFigure()
+void UnitCircleTest::circleIsHiddenWhereItWouldHideTheWholeFigure()
 {
     CircleWindow fixture;
     QVERIFY(fixture.circle().isVisible());

@@ -1,4 +1,4 @@
-// The window in its modes, and at rest: what it shows beside the scene, and that nothing runs in vain.
+// The modes of the window and their panels. Also tests that nothing runs while the window is at rest.
 
 #include "app/ui/window/main_window.h"
 #include "lessons/api/view/view.h"
@@ -20,7 +20,7 @@ class WindowModesTest : public QObject
 private slots:
     void nothingRunsWhilePaused();
     void nothingRunsWhileEverythingRests();
-    void fullScreenIsLeftHoweverItCame();
+    void keyLeavesFullScreenHoweverItBegan();
     void theModesArrangeTheWindowAndBack_data();
     void theModesArrangeTheWindowAndBack();
     void theReferenceRunsAlongUntilTheSceneChanges();
@@ -48,7 +48,7 @@ void WindowModesTest::nothingRunsWhileEverythingRests()
                         [](const QLabel *label) { return label->text().contains("Everything is at rest"); }));
 }
 
-void WindowModesTest::fullScreenIsLeftHoweverItCame()
+void WindowModesTest::keyLeavesFullScreenHoweverItBegan()
 {
     WindowFixture fixture({.study = quickStudy});
     fixture.window.showFullScreen(); // as the last start left it, or the desktop made it

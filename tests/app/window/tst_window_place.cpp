@@ -1,5 +1,5 @@
-// Where the window stands when it opens again in another size or language, and what it has kept. Each window has an
-// application of its own, as in the program: Qt reads the size only when an application begins.
+// The position and the contents of a window that opens again in another size or language. Each window has its own
+// application, as in the program, because Qt reads the size only when an application starts.
 
 #include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/dialogs/window_place.h"
@@ -53,7 +53,7 @@ struct Program
 {
     using Actions = std::function<void(MainWindow &, Session &)>;
 
-    /// Opens a window as the program does, and closes it after the deeds so that the next one goes on.
+    /// Opens a window like the program, performs the actions and closes it, so that the next window continues.
     void run(const Actions &actions)
     {
         QSettings().setValue("tour/seen", true);
@@ -138,13 +138,13 @@ private slots:
         QCOMPARE(insideScreen(wanted, {1, 20, 1, 1}, {0, 0, 1000, 800}), expected);
     }
 
-    void aWindowStaysInItsPlaceOverTenSizes_data()
+    void windowKeepsItsPositionOverTenSizes_data()
     {
         QTest::addColumn<QSize>("least"); // px at 100 %
         QTest::newRow("as large as it was") << QSize(100, 100);
         QTest::newRow("larger where its contents need it") << QSize(360, 300);
     }
-    void aWindowStaysInItsPlaceOverTenSizes()
+    void windowKeepsItsPositionOverTenSizes()
     {
         QFETCH(const QSize, least);
         const QRect first(61, 53, 601, 403);
@@ -317,7 +317,7 @@ private slots:
         QVERIFY(window.screen()->availableGeometry().contains(dialog.geometry()));
     }
 
-    void theFilmDialogOpensInTheSamePlaceEachTime()
+    void filmDialogOpensAtTheSamePositionEachTime()
     {
         const Start start;
         WindowFixture fixture;

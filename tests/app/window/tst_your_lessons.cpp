@@ -128,8 +128,8 @@ public slots:
 private slots:
     void cleanup() { QSettings().clear(); }
     void aZipIsOpenedAndListedAndRemembered();
-    void aLessonThatIsGoneIsForgottenWithASentence();
-    void aMistakeIsToldAndTheLastGoodStateStays();
+    void missingLessonIsForgottenWithAMessage();
+    void mistakeIsReportedAndTheLastGoodStateStays();
     void aSavedLessonReloadsAtTheSameStepAndFrame();
     void aNewLessonBeginsWithTheSceneOfTheSandbox();
     void aNewLessonBeginsWithASceneOfYours();
@@ -172,7 +172,7 @@ void YourLessonsTest::aZipIsOpenedAndListedAndRemembered()
     QCOMPARE(again.mistake() + again.farewell(), QString());
 }
 
-void YourLessonsTest::aLessonThatIsGoneIsForgottenWithASentence()
+void YourLessonsTest::missingLessonIsForgottenWithAMessage()
 {
     LessonLibrary library = programLessons();
     {
@@ -186,7 +186,7 @@ void YourLessonsTest::aLessonThatIsGoneIsForgottenWithASentence()
     QCOMPARE(YourLessons(next).farewell(), QString()); // it is told once
 }
 
-void YourLessonsTest::aMistakeIsToldAndTheLastGoodStateStays()
+void YourLessonsTest::mistakeIsReportedAndTheLastGoodStateStays()
 {
     const LessonCopy copy;
     const QByteArray scene = copy.read("two.json"), text = copy.read("swing.md");

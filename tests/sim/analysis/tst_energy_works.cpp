@@ -71,11 +71,11 @@ private slots:
     }
 
     /// A foot on a leg of a held body. The hand gives all the momentum that the foot gets.
-    void forceOnAHeldBodyIsPushedBackByTheHand_data()
+    void handBalancesTheForceOnAHeldBody_data()
     {
         addMethodRows([](const Method &m) { return m.id() == "published" || m.id() == "velocity_verlet"; });
     }
-    void forceOnAHeldBodyIsPushedBackByTheHand()
+    void handBalancesTheForceOnAHeldBody()
     {
         QFETCH(QString, method);
         Scene scene = scenes::creature(1);

@@ -91,17 +91,17 @@ class SettlingTest : public QObject
     Q_OBJECT
 
 private slots:
-    void aSpringSettlesWhenTheEigenvaluesSay_data();
-    void aSpringSettlesWhenTheEigenvaluesSay();
-    void theEnvelopeOfTheSwingGivesAboutTheSame();
+    void springSettlesWhenItsEigenvaluesPredict_data();
+    void springSettlesWhenItsEigenvaluesPredict();
+    void settlingTimeAgreesWithTheDecayOfTheSwing();
     void framesCountFromTheLastInput();
-    void changesOfBothNumbersAndLateInputAreLeftOut();
-    void aLongStepCountsInFrames();
-    void theMapAgreesWithSingleRunsAndGrowsFiner();
-    void aMapCanBeStopped();
+    void changesOfTheMappedParametersAndLateInputAreRemoved();
+    void settlingTimeWithLongStepsIsInFrames();
+    void mapAgreesWithSingleRunsAndIsRefined();
+    void mapCanBeCancelled();
 };
 
-void SettlingTest::aSpringSettlesWhenTheEigenvaluesSay_data()
+void SettlingTest::springSettlesWhenItsEigenvaluesPredict_data()
 {
     QTest::addColumn<double>("k");
     QTest::addColumn<double>("damp");
@@ -126,7 +126,7 @@ void SettlingTest::aSpringSettlesWhenTheEigenvaluesSay_data()
     row("without a spring", 0.0, 0.9, Kind::settles);
 }
 
-void SettlingTest::aSpringSettlesWhenTheEigenvaluesSay()
+void SettlingTest::springSettlesWhenItsEigenvaluesPredict()
 {
     QFETCH(double, k);
     QFETCH(double, damp);
@@ -139,7 +139,7 @@ void SettlingTest::aSpringSettlesWhenTheEigenvaluesSay()
 
 /// The swing shrinks by sqrt(damp) a frame. It moves slower than 0.05 px in each frame after about n frames:
 /// 100 px sqrt(k) damp^(n/2) = 0.05 px.
-void SettlingTest::theEnvelopeOfTheSwingGivesAboutTheSame()
+void SettlingTest::settlingTimeAgreesWithTheDecayOfTheSwing()
 {
     const double k = 0.2, damp = 0.9;
     const double frames = 2.0 * std::log(Settling::slowest / (settlingAway * std::sqrt(k))) / std::log(damp);
@@ -161,7 +161,7 @@ void SettlingTest::framesCountFromTheLastInput()
     QVERIFY2(std::abs(found->frames - alone) <= 1, named(found));
 }
 
-void SettlingTest::changesOfBothNumbersAndLateInputAreLeftOut()
+void SettlingTest::changesOfTheMappedParametersAndLateInputAreRemoved()
 {
     Script script = oscillatorScript(0.2, 0.8);
     script.input = {{5, Set{"k", 9.0}}, {6, Set{"bounce", 0.5}}, {7, Set{"damp", 1.0}}, {900, Release{}}};
@@ -170,7 +170,7 @@ void SettlingTest::changesOfBothNumbersAndLateInputAreLeftOut()
     QCOMPARE(std::get<Set>(asked.input.front().what).parameter, "bounce");
 }
 
-void SettlingTest::aLongStepCountsInFrames()
+void SettlingTest::settlingTimeWithLongStepsIsInFrames()
 {
     // Soft, so that steps of two frames come near to those of half a frame.
     const auto framesWith = [](double h) {
@@ -181,7 +181,7 @@ void SettlingTest::aLongStepCountsInFrames()
              QByteArray::number(qlonglong(framesWith(2.0))));
 }
 
-void SettlingTest::theMapAgreesWithSingleRunsAndGrowsFiner()
+void SettlingTest::mapAgreesWithSingleRunsAndIsRefined()
 {
     std::vector<std::size_t> known; // when each grid was complete
     std::size_t calls = 0, stride = 0;
@@ -208,7 +208,7 @@ void SettlingTest::theMapAgreesWithSingleRunsAndGrowsFiner()
     }
 }
 
-void SettlingTest::aMapCanBeStopped()
+void SettlingTest::mapCanBeCancelled()
 {
     int calls = 0;
     const SettlingMap map = settlingMap(

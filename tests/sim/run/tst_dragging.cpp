@@ -71,7 +71,7 @@ private slots:
         compare(track, {134, 88}, {8, -4});
     }
 
-    void theLastMoveOfAFrameCounts()
+    void lastMoveOfAFrameSetsThePosition()
     {
         Track track =
             trackOf(drifting(), "published",
@@ -102,8 +102,8 @@ private slots:
         }
     }
 
-    void aHandleHasNoVelocity_data() { support::addFixedMethodRows(); }
-    void aHandleHasNoVelocity()
+    void handleHasNoVelocity_data() { support::addFixedMethodRows(); }
+    void handleHasNoVelocity()
     {
         QFETCH(QString, method);
         Scene scene = drifting();

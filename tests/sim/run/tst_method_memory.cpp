@@ -70,15 +70,15 @@ class MethodMemory : public QObject
     static constexpr std::size_t budget = 1 << 20;
 
 private slots:
-    void memoryGoesBackWithTheCursor();
+    void seekingBackRestoresTheMemory();
     void memoryIsComparedBitByBit();
     void memorySurvivesAChangedParameter();
     void runEndsBeforeTheFrameThatFailed();
-    void sceneKnowsTheValuesItWasBuiltFrom();
-    void holdKnowsWhereThePointWasBeforeTheHandMovedIt();
+    void sceneKeepsTheValuesThatItWasBuiltFrom();
+    void holdKeepsThePositionBeforeTheDrag();
 };
 
-void MethodMemory::memoryGoesBackWithTheCursor()
+void MethodMemory::seekingBackRestoresTheMemory()
 {
     Track track(countingScript(-1), 0); // only the initial state is kept, so seeking back computes again
     track.seek({50, 0});
@@ -125,7 +125,7 @@ void MethodMemory::runEndsBeforeTheFrameThatFailed()
     QCOMPARE(track.state().positionOf(0).x, 50.0);
 }
 
-void MethodMemory::sceneKnowsTheValuesItWasBuiltFrom()
+void MethodMemory::sceneKeepsTheValuesThatItWasBuiltFrom()
 {
     Script script = countingScript(-1);
     script.input = {{3, Set{"k", 0.5}}};
@@ -134,7 +134,7 @@ void MethodMemory::sceneKnowsTheValuesItWasBuiltFrom()
     QCOMPARE((*track.intervalAt(3)->scene.values)["k"], 0.5);
 }
 
-void MethodMemory::holdKnowsWhereThePointWasBeforeTheHandMovedIt()
+void MethodMemory::holdKeepsThePositionBeforeTheDrag()
 {
     Script script = countingScript(-1);
     script.method = findMethod("published");
