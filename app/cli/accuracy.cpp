@@ -72,6 +72,10 @@ int runAccuracy(const Arguments &arguments)
     const QString name = arguments.names[0];
     const std::optional<double> tolerance = number("tolerance", 1e-12, 1e6);
     const std::optional<double> frames = number("frames", 1, mostFramesStudied);
+    const QString plot = arguments.value("svg");
+    if (!plot.isEmpty() && !plot.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
+        throw UsageError(
+            AccuracyText::tr("%1 is not the name of a plot; it ends in .svg.").arg(quoted(plot)));
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     const Experiment experiment = experimentFor(name, library);
     if (programOf(experiment.script.method))
@@ -83,8 +87,8 @@ int runAccuracy(const Arguments &arguments)
     const AccuracyReport report{name, tolerance, *plan.inUse, study(experiment, plan)};
     if (isInterrupted())
         return printInterrupted();
-    if (const QString path = arguments.value("svg"); !path.isEmpty())
-        writePlot(path, report, experiment, library);
+    if (!plot.isEmpty())
+        writePlot(plot, report, experiment, library);
     print(arguments.has("json") ? accuracyJson(report) : accuracyTable(report));
     return tolerance && !report.found.cheapest(*tolerance) ? exitNo : exitDone;
 }

@@ -1,8 +1,10 @@
 #include "app/cli/terminal.h"
 #include "app/cli/verbs.h"
+#include "app/model/learning/concept_map.h"
 #include "app/model/lesson_folders/lesson_check.h"
 #include "app/model/lesson_folders/lesson_languages.h"
 #include "app/model/text/json_writer.h"
+#include "lessons/api/text/document.h"
 
 #include <QCoreApplication>
 
@@ -73,6 +75,17 @@ QString jsonOf(const LessonEntry &lesson, const QStringList &languages,
     return QString::fromUtf8(json.text()) + '\n';
 }
 
+/// Checks what the concepts of `lesson` rest on, which reading it alone cannot.
+void checkConceptsOf(const LessonEntry &lesson, LessonLibrary library)
+{
+    library.yours.push_back(lesson);
+    try {
+        checkConcepts(library);
+    } catch (const lessons::DocumentError &error) {
+        throw UserError(QString::fromUtf8(error.what()));
+    }
+}
+
 }
 
 int runCheck(const Arguments &arguments)
@@ -81,6 +94,7 @@ int runCheck(const Arguments &arguments)
     const LessonFiles files = readLessonFiles(arguments.names[0]);
     const LessonEntry lesson = lessonOf(files, QStringLiteral("en"), library);
     const QStringList languages = languagesOf(files);
+    checkConceptsOf(lesson, library);
     for (const QString &language : languages)
         checkSameQuestions(lesson, lessonOf(files, language, library));
     listenForInterrupt();

@@ -142,6 +142,9 @@ std::optional<int> reportUnknownNames(const QStringList &names)
 {
     if (names.isEmpty() || (names.size() == 1 && QFileInfo::exists(names.front())))
         return {};
+    if (names.size() > 1 && QFileInfo::exists(names.front()))
+        return reportUsageError(
+            CommandLineText::tr("the window opens one file; leave out %1.").arg(quoted(names[1])));
     const QString sentence = names.size() == 1
                                  ? CommandLineText::tr("there is no verb and no file %1; the verbs are %2.")
                                  : CommandLineText::tr("there is no verb %1; the verbs are %2.");

@@ -28,7 +28,7 @@ Experiment experimentFor(const QString &argument, const LessonLibrary &library)
     if (QFileInfo::exists(argument))
         return experimentFromFile(argument, library);
     if (argument.count('/') == 1 && !argument.startsWith('/') && !argument.endsWith('/') &&
-        !argument.endsWith(".json"))
+        !argument.contains('.'))
         return newExperiment(argument.section('/', 0, 0), argument.section('/', 1), library);
     throw UserError(ExperimentArgumentText::tr(
                         "%1 is neither a file nor a step; name a step as LESSON/STEP, as \"springstep "

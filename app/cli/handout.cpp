@@ -11,6 +11,7 @@
 #include "app/ui/film/handout_export.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QTextDocument>
 
 namespace app {
@@ -25,7 +26,7 @@ struct HandoutCliText
 /// Returns a lesson by its id or its path. One with a path is added to `library`.
 const LessonEntry &lessonFor(const QString &name, LessonLibrary &library)
 {
-    if (isLessonPath(name)) {
+    if (isLessonPath(name) || (QFileInfo::exists(name) && !library.lesson(name))) {
         library.yours.push_back(readLesson(name, library));
         return library.yours.back();
     }

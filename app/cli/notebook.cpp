@@ -136,7 +136,7 @@ QStringList lessonsFor(const Arguments &arguments, const LessonLibrary &library)
             ids << library.entry(i).id;
         return ids;
     }
-    ids = arguments.value("lessons").split(',', Qt::SkipEmptyParts);
+    ids = arguments.value("lessons").split(',');
     for (const QString &id : ids) {
         if (!library.lesson(id))
             throw UsageError(NotebookText::tr("--lessons: %1").arg(noLesson(id, library)));
@@ -148,7 +148,7 @@ int writeOwn(const Arguments &arguments)
 {
     const auto [library, files] = namedIn(arguments);
     if (files.size() != 1)
-        throw UsageError(NotebookText::tr("notebook write takes FILE; see springstep notebook --help."));
+        throw UsageError(NotebookText::tr("notebook write takes OUT; see springstep notebook --help."));
     const QString &out = files[0];
     if (!out.endsWith(notebookEnding))
         throw UsageError(NotebookText::tr("%1 is not the name of a notebook; it ends in %2.")
@@ -160,11 +160,27 @@ int writeOwn(const Arguments &arguments)
     return exitDone;
 }
 
+/// @throws UsageError for options of another action
+void checkOptions(const Arguments &arguments, const QString &action)
+{
+    for (const char *option : {"json", "csv"}) {
+        if (arguments.has(option) && action != "check")
+            throw UsageError(NotebookText::tr("--%1 is for notebook check. Leave it out.").arg(option));
+    }
+    if (arguments.has("json") && arguments.has("csv"))
+        throw UsageError(NotebookText::tr("--json and --csv are two forms of the result. Leave one out."));
+    for (const char *option : {"name", "lessons"}) {
+        if (arguments.has(option) && action != "write")
+            throw UsageError(NotebookText::tr("--%1 is for notebook write. Leave it out.").arg(option));
+    }
+}
+
 }
 
 int runNotebook(const Arguments &arguments)
 {
     const QString action = arguments.names[0];
+    checkOptions(arguments, action);
     if (action == "check")
         return checkNotebooks(arguments);
     if (action == "page")

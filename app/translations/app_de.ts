@@ -261,6 +261,10 @@
         <source>%1: the run is computed by code, which has no shorter steps to compare with. Remove &quot;method&quot; and &quot;code&quot; to measure the methods.</source>
         <translation>%1: Den Lauf berechnet Code, und der hat keine kürzeren Zeitschritte zum Vergleich. Entferne &quot;method&quot; und &quot;code&quot;, um die Verfahren zu messen.</translation>
     </message>
+    <message>
+        <source>%1 is not the name of a plot; it ends in .svg.</source>
+        <translation>%1 ist kein Name für ein Diagramm; er endet auf .svg.</translation>
+    </message>
 </context>
 <context>
     <name>Attempt</name>
@@ -720,6 +724,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1 (default %2).</source>
         <translation>%1 (Vorgabe %2).</translation>
+    </message>
+    <message>
+        <source>the window opens one file; leave out %1.</source>
+        <translation>das Fenster öffnet eine Datei; lass %1 weg.</translation>
     </message>
 </context>
 <context>
@@ -1350,6 +1358,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>this is a notebook, not an experiment; &quot;springstep notebook check&quot; replays it.</source>
         <translation>das ist ein Heft, kein Experiment; „springstep notebook check“ spielt es nach.</translation>
+    </message>
+    <message>
+        <source>If it is a lesson without C++, open it in the window, or name its folder in SPRINGSTEP_LESSONS.</source>
+        <translation>Wenn es eine Lektion ohne C++ ist, öffne sie im Fenster, oder nenne ihren Ordner in SPRINGSTEP_LESSONS.</translation>
     </message>
 </context>
 <context>
@@ -2325,8 +2337,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>hier beginnt ein Wert zu viel; ein Experiment hat höchstens %1 Werte.</translation>
     </message>
     <message>
-        <source>there is text after the end of the experiment; remove everything after its closing bracket.</source>
-        <translation>nach dem Ende des Experiments steht noch Text; entferne alles nach seiner schließenden Klammer.</translation>
+        <source>there is text after the end; remove everything after the closing bracket.</source>
+        <translation>nach dem Ende steht noch Text; entferne alles nach der schließenden Klammer.</translation>
     </message>
     <message>
         <source>a name in double quotes is expected here.</source>
@@ -2369,16 +2381,24 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>%1: Zeile %2: Hier steht ein Null-Byte; ein Experiment ist JSON-Text in UTF-8.</translation>
     </message>
     <message>
-        <source>%1: line 1: the file is empty; an experiment begins with {.</source>
-        <translation>%1: Zeile 1: Die Datei ist leer; ein Experiment beginnt mit {.</translation>
+        <source>%1: line 1: the file is empty; it must begin with {.</source>
+        <translation>%1: Zeile 1: Die Datei ist leer; sie muss mit { beginnen.</translation>
     </message>
     <message>
-        <source>the file ends here too early; the rest of the experiment is missing.</source>
-        <translation>die Datei endet hier zu früh; der Rest des Experiments fehlt.</translation>
+        <source>the file ends here too early; the rest of it is missing.</source>
+        <translation>die Datei endet hier zu früh; ihr Rest fehlt.</translation>
     </message>
     <message>
         <source>%1: line %2: %3</source>
         <translation>%1: Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: this is a zip. The window opens a zipped lesson if its name ends in .springstep-lesson.</source>
+        <translation>%1: Das ist ein Zip. Das Fenster öffnet eine gezippte Lektion, wenn ihr Name auf .springstep-lesson endet.</translation>
+    </message>
+    <message>
+        <source>nothing follows the last comma before this %1; remove the comma.</source>
+        <translation>nach dem letzten Komma vor diesem %1 folgt nichts; entferne das Komma.</translation>
     </message>
 </context>
 <context>
@@ -2653,8 +2673,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>die Szene des Schritts: Sichere sie im Fenster unter diesem Namen, mit der Endung .json</translation>
     </message>
     <message>
-        <source>the texts of the step</source>
-        <translation>die Texte des Schritts</translation>
+        <source>the texts of the step. Write the file, or remove the step from lesson.json</source>
+        <translation>der Text des Schritts. Schreib die Datei, oder nimm den Schritt aus lesson.json</translation>
     </message>
     <message>
         <source>%1: a listing computes this scene. Choose a method in the window, and write the listing into %2.code.</source>
@@ -2738,8 +2758,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>der Schritt von „%1“ ist 1, also sind seine Zahlen ganz. Wähle einen kleineren Schritt, etwa 0.1.</translation>
     </message>
     <message>
-        <source>the value of “%1” is %2, outside its range from %3 to %4.</source>
-        <translation>der Wert von „%1“ ist %2 und liegt außerhalb des Bereichs von %3 bis %4.</translation>
+        <source>the value of “%1” is %2, outside its range from %3 to %4. Change one of them.</source>
+        <translation>der Wert von „%1“ ist %2 und liegt außerhalb des Bereichs von %3 bis %4. Ändere eins davon.</translation>
     </message>
     <message>
         <source>the %1 of “%2” differs between the languages. Remove it here: the numbers are in the first language.</source>
@@ -2774,10 +2794,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>„%1“ kann in einer Szene %2 bis %3 sein, und der Parameter geht von %4 bis %5. Ändere sein Minimum oder Maximum.</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
         <source>a parameter of your own needs a scene of the sandbox. Remove “%1”, or take the scene to the sandbox (Ctrl+B) and save it there.</source>
         <translation>ein eigener Parameter braucht eine Szene des Sandkastens. Entferne „%1“, oder nimm die Szene in den Sandkasten mit (Strg+B) und speichere sie dort.</translation>
     </message>
@@ -2800,6 +2816,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>nothing reads the parameter “%1”. Write %1 into the rule of the scene in place of a number, or let it set one: “- sets: k of a-b”.</source>
         <translation>nichts liest den Parameter „%1“. Schreib %1 statt einer Zahl in die Regel der Szene, oder lass ihn eine setzen: „- sets: k of a-b“.</translation>
+    </message>
+    <message>
+        <source>the scene has no springs. Build one, or write “- value: ” in place of “- sets: ”.</source>
+        <translation>die Szene hat keine Federn. Bau eine, oder schreib „- value: “ statt „- sets: “.</translation>
+    </message>
+    <message>
+        <source>the scene has no springs or sticks. Build one, or write “- value: ” in place of “- sets: ”.</source>
+        <translation>die Szene hat keine Federn und keine Stäbe. Bau etwas davon, oder schreib „- value: “ statt „- sets: “.</translation>
     </message>
 </context>
 <context>
@@ -4044,8 +4068,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>--lessons: %1</translation>
     </message>
     <message>
-        <source>notebook write takes FILE; see springstep notebook --help.</source>
-        <translation>notebook write nimmt FILE; siehe springstep notebook --help.</translation>
+        <source>notebook write takes OUT; see springstep notebook --help.</source>
+        <translation>notebook write nimmt OUT; siehe springstep notebook --help.</translation>
     </message>
     <message>
         <source>%1 is not the name of a notebook; it ends in %2.</source>
@@ -4058,6 +4082,18 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>notebook check takes FILE...; see springstep notebook --help.</source>
         <translation>notebook check nimmt FILE...; siehe springstep notebook --help.</translation>
+    </message>
+    <message>
+        <source>--%1 is for notebook check. Leave it out.</source>
+        <translation>--%1 ist für notebook check. Lass es weg.</translation>
+    </message>
+    <message>
+        <source>--%1 is for notebook write. Leave it out.</source>
+        <translation>--%1 ist für notebook write. Lass es weg.</translation>
+    </message>
+    <message>
+        <source>--json and --csv are two forms of the result. Leave one out.</source>
+        <translation>--json und --csv sind zwei Formen des Ergebnisses. Lass eines weg.</translation>
     </message>
 </context>
 <context>
@@ -4150,6 +4186,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>%1 could not be written: %2. Choose another folder or name.</source>
         <translation>%1 ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a picture; it ends in .png or .svg.</source>
+        <translation>%1 ist kein Name für ein Bild; er endet auf .png oder .svg.</translation>
     </message>
 </context>
 <context>
@@ -4788,8 +4828,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Hier gibt es keinen Parameter %1; es gibt %2.</translation>
     </message>
     <message>
-        <source>There is no method %1.</source>
-        <translation>Es gibt kein Verfahren %1.</translation>
+        <source>There is no method %1; the methods are %2.</source>
+        <translation>Es gibt kein Verfahren %1; die Verfahren sind %2.</translation>
     </message>
 </context>
 <context>
@@ -6035,8 +6075,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Das Zip ist beschädigt. Hol es noch einmal, oder mach ein neues Zip des Ordners.</translation>
     </message>
     <message>
-        <source>this is not a zip, or its end is missing. Get it again.</source>
-        <translation>Das ist kein Zip, oder sein Ende fehlt. Hol es noch einmal.</translation>
+        <source>this is not a zip, or its end is missing. Choose the lesson.json or the zip of a lesson, or get the zip again.</source>
+        <translation>Das ist kein Zip, oder sein Ende fehlt. Wähle lesson.json oder das Zip einer Lektion, oder hol das Zip noch einmal.</translation>
     </message>
     <message>
         <source>%1 is in a folder. All files of a lesson are side by side.</source>

@@ -261,6 +261,10 @@
         <source>%1: the run is computed by code, which has no shorter steps to compare with. Remove &quot;method&quot; and &quot;code&quot; to measure the methods.</source>
         <translation>%1: la ejecución la calcula código, que no tiene pasos de tiempo más cortos con los que comparar. Quita &quot;method&quot; y &quot;code&quot; para medir los métodos.</translation>
     </message>
+    <message>
+        <source>%1 is not the name of a plot; it ends in .svg.</source>
+        <translation>%1 no es el nombre de un gráfico; termina en .svg.</translation>
+    </message>
 </context>
 <context>
     <name>Attempt</name>
@@ -720,6 +724,10 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>%1 (default %2).</source>
         <translation>%1 (por defecto %2).</translation>
+    </message>
+    <message>
+        <source>the window opens one file; leave out %1.</source>
+        <translation>la ventana abre un archivo; omite %1.</translation>
     </message>
 </context>
 <context>
@@ -1350,6 +1358,10 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>this is a notebook, not an experiment; &quot;springstep notebook check&quot; replays it.</source>
         <translation>esto es un cuaderno, no un experimento; «springstep notebook check» lo vuelve a reproducir.</translation>
+    </message>
+    <message>
+        <source>If it is a lesson without C++, open it in the window, or name its folder in SPRINGSTEP_LESSONS.</source>
+        <translation>Si es una lección sin C++, ábrela en la ventana, o indica su carpeta en SPRINGSTEP_LESSONS.</translation>
     </message>
 </context>
 <context>
@@ -2325,8 +2337,8 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>aquí empieza un valor de más; un experimento tiene como máximo %1 valores.</translation>
     </message>
     <message>
-        <source>there is text after the end of the experiment; remove everything after its closing bracket.</source>
-        <translation>hay texto después del final del experimento; quita todo lo que sigue al corchete o la llave de cierre.</translation>
+        <source>there is text after the end; remove everything after the closing bracket.</source>
+        <translation>hay texto después del final; quita todo lo que sigue al corchete o a la llave de cierre.</translation>
     </message>
     <message>
         <source>a name in double quotes is expected here.</source>
@@ -2369,16 +2381,24 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>%1: línea %2: hay un byte cero; un experimento es texto JSON en UTF-8.</translation>
     </message>
     <message>
-        <source>%1: line 1: the file is empty; an experiment begins with {.</source>
-        <translation>%1: línea 1: el archivo está vacío; un experimento empieza por {.</translation>
+        <source>%1: line 1: the file is empty; it must begin with {.</source>
+        <translation>%1: línea 1: el archivo está vacío; tiene que empezar con {.</translation>
     </message>
     <message>
-        <source>the file ends here too early; the rest of the experiment is missing.</source>
-        <translation>el archivo termina aquí demasiado pronto; falta el resto del experimento.</translation>
+        <source>the file ends here too early; the rest of it is missing.</source>
+        <translation>el archivo termina aquí demasiado pronto; falta el resto.</translation>
     </message>
     <message>
         <source>%1: line %2: %3</source>
         <translation>%1: línea %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: this is a zip. The window opens a zipped lesson if its name ends in .springstep-lesson.</source>
+        <translation>%1: esto es un zip. La ventana abre una lección en zip si su nombre termina en .springstep-lesson.</translation>
+    </message>
+    <message>
+        <source>nothing follows the last comma before this %1; remove the comma.</source>
+        <translation>no sigue nada a la última coma antes de este %1; quita la coma.</translation>
     </message>
 </context>
 <context>
@@ -2653,8 +2673,8 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>la escena del paso: guárdala en la ventana con este nombre, terminado en .json</translation>
     </message>
     <message>
-        <source>the texts of the step</source>
-        <translation>los textos del paso</translation>
+        <source>the texts of the step. Write the file, or remove the step from lesson.json</source>
+        <translation>los textos del paso. Escribe el archivo, o quita el paso de lesson.json</translation>
     </message>
     <message>
         <source>%1: a listing computes this scene. Choose a method in the window, and write the listing into %2.code.</source>
@@ -2738,8 +2758,8 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>el paso de «%1» es 1, así que sus números son enteros. Elige un paso más pequeño, por ejemplo 0.1.</translation>
     </message>
     <message>
-        <source>the value of “%1” is %2, outside its range from %3 to %4.</source>
-        <translation>el valor de «%1» es %2 y está fuera de su rango, de %3 a %4.</translation>
+        <source>the value of “%1” is %2, outside its range from %3 to %4. Change one of them.</source>
+        <translation>el valor de «%1» es %2 y está fuera de su rango, de %3 a %4. Cambia uno de los dos.</translation>
     </message>
     <message>
         <source>the %1 of “%2” differs between the languages. Remove it here: the numbers are in the first language.</source>
@@ -2774,10 +2794,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>«%1» puede ser de %2 a %3 en una escena, y el parámetro va de %4 a %5. Cambia su mínimo o su máximo.</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>nada</translation>
-    </message>
-    <message>
         <source>a parameter of your own needs a scene of the sandbox. Remove “%1”, or take the scene to the sandbox (Ctrl+B) and save it there.</source>
         <translation>un parámetro propio necesita una escena del taller. Quita «%1», o lleva la escena al taller (Ctrl+B) y guárdala allí.</translation>
     </message>
@@ -2800,6 +2816,14 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>nothing reads the parameter “%1”. Write %1 into the rule of the scene in place of a number, or let it set one: “- sets: k of a-b”.</source>
         <translation>nada lee el parámetro «%1». Escribe %1 en la regla de la escena en lugar de un número, o haz que fije uno: «- sets: k of a-b».</translation>
+    </message>
+    <message>
+        <source>the scene has no springs. Build one, or write “- value: ” in place of “- sets: ”.</source>
+        <translation>la escena no tiene muelles. Construye uno, o escribe «- value: » en lugar de «- sets: ».</translation>
+    </message>
+    <message>
+        <source>the scene has no springs or sticks. Build one, or write “- value: ” in place of “- sets: ”.</source>
+        <translation>la escena no tiene muelles ni barras. Construye uno de los dos, o escribe «- value: » en lugar de «- sets: ».</translation>
     </message>
 </context>
 <context>
@@ -4044,8 +4068,8 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>--lessons: %1</translation>
     </message>
     <message>
-        <source>notebook write takes FILE; see springstep notebook --help.</source>
-        <translation>notebook write acepta FILE; consulta springstep notebook --help.</translation>
+        <source>notebook write takes OUT; see springstep notebook --help.</source>
+        <translation>notebook write acepta OUT; consulta springstep notebook --help.</translation>
     </message>
     <message>
         <source>%1 is not the name of a notebook; it ends in %2.</source>
@@ -4058,6 +4082,18 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>notebook check takes FILE...; see springstep notebook --help.</source>
         <translation>notebook check acepta FILE...; consulta springstep notebook --help.</translation>
+    </message>
+    <message>
+        <source>--%1 is for notebook check. Leave it out.</source>
+        <translation>--%1 es para notebook check. Omítelo.</translation>
+    </message>
+    <message>
+        <source>--%1 is for notebook write. Leave it out.</source>
+        <translation>--%1 es para notebook write. Omítelo.</translation>
+    </message>
+    <message>
+        <source>--json and --csv are two forms of the result. Leave one out.</source>
+        <translation>--json y --csv son dos formas del resultado. Omite una de ellas.</translation>
     </message>
 </context>
 <context>
@@ -4150,6 +4186,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>%1 could not be written: %2. Choose another folder or name.</source>
         <translation>No se pudo escribir %1: %2. Elige otra carpeta u otro nombre.</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a picture; it ends in .png or .svg.</source>
+        <translation>%1 no es el nombre de una imagen; termina en .png o .svg.</translation>
     </message>
 </context>
 <context>
@@ -4788,8 +4828,8 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Aquí no hay ningún parámetro %1; hay %2.</translation>
     </message>
     <message>
-        <source>There is no method %1.</source>
-        <translation>No hay ningún método %1.</translation>
+        <source>There is no method %1; the methods are %2.</source>
+        <translation>No hay ningún método %1; los métodos son %2.</translation>
     </message>
 </context>
 <context>
@@ -6035,8 +6075,8 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>el zip está dañado. Consíguelo otra vez, o haz un zip nuevo de la carpeta.</translation>
     </message>
     <message>
-        <source>this is not a zip, or its end is missing. Get it again.</source>
-        <translation>esto no es un zip, o le falta el final. Consíguelo otra vez.</translation>
+        <source>this is not a zip, or its end is missing. Choose the lesson.json or the zip of a lesson, or get the zip again.</source>
+        <translation>esto no es un zip, o le falta el final. Elige el lesson.json o el zip de una lección, o consigue el zip otra vez.</translation>
     </message>
     <message>
         <source>%1 is in a folder. All files of a lesson are side by side.</source>

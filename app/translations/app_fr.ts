@@ -261,6 +261,10 @@
         <source>%1: the run is computed by code, which has no shorter steps to compare with. Remove &quot;method&quot; and &quot;code&quot; to measure the methods.</source>
         <translation>%1&#xa0;: la simulation est calculée par du code, qui n’a pas de pas de temps plus courts auxquels se comparer. Retire &quot;method&quot; et &quot;code&quot; pour mesurer les méthodes.</translation>
     </message>
+    <message>
+        <source>%1 is not the name of a plot; it ends in .svg.</source>
+        <translation>%1 n’est pas un nom de graphique&#x202f;; il doit finir par .svg.</translation>
+    </message>
 </context>
 <context>
     <name>Attempt</name>
@@ -720,6 +724,10 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>%1 (default %2).</source>
         <translation>%1 (par défaut %2).</translation>
+    </message>
+    <message>
+        <source>the window opens one file; leave out %1.</source>
+        <translation>la fenêtre ouvre un seul fichier&#x202f;; enlève %1.</translation>
     </message>
 </context>
 <context>
@@ -1350,6 +1358,10 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>this is a notebook, not an experiment; &quot;springstep notebook check&quot; replays it.</source>
         <translation>c’est un cahier, pas une expérience&#x202f;; «&#x202f;springstep notebook check&#x202f;» le rejoue.</translation>
+    </message>
+    <message>
+        <source>If it is a lesson without C++, open it in the window, or name its folder in SPRINGSTEP_LESSONS.</source>
+        <translation>Si c’est une leçon sans C++, ouvre-la dans la fenêtre, ou indique son dossier dans SPRINGSTEP_LESSONS.</translation>
     </message>
 </context>
 <context>
@@ -2325,8 +2337,8 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>ici commence une valeur de trop&#x202f;; une expérience a au plus %1 valeurs.</translation>
     </message>
     <message>
-        <source>there is text after the end of the experiment; remove everything after its closing bracket.</source>
-        <translation>il y a du texte après la fin de l’expérience&#x202f;; retire tout ce qui suit son accolade fermante.</translation>
+        <source>there is text after the end; remove everything after the closing bracket.</source>
+        <translation>il y a du texte après la fin&#x202f;; enlève tout ce qui suit le crochet ou l’accolade de fermeture.</translation>
     </message>
     <message>
         <source>a name in double quotes is expected here.</source>
@@ -2369,16 +2381,24 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>%1&#xa0;: ligne %2&#xa0;: il y a un octet nul&#x202f;; une expérience est du texte JSON en UTF-8.</translation>
     </message>
     <message>
-        <source>%1: line 1: the file is empty; an experiment begins with {.</source>
-        <translation>%1&#xa0;: ligne 1&#xa0;: le fichier est vide&#x202f;; une expérience commence par {.</translation>
+        <source>%1: line 1: the file is empty; it must begin with {.</source>
+        <translation>%1&#xa0;: ligne 1&#xa0;: le fichier est vide&#x202f;; il doit commencer par {.</translation>
     </message>
     <message>
-        <source>the file ends here too early; the rest of the experiment is missing.</source>
-        <translation>le fichier se termine ici trop tôt&#x202f;; le reste de l’expérience manque.</translation>
+        <source>the file ends here too early; the rest of it is missing.</source>
+        <translation>le fichier se termine ici trop tôt&#x202f;; le reste manque.</translation>
     </message>
     <message>
         <source>%1: line %2: %3</source>
         <translation>%1&#xa0;: ligne %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1: this is a zip. The window opens a zipped lesson if its name ends in .springstep-lesson.</source>
+        <translation>%1&#xa0;: c’est un zip. La fenêtre ouvre une leçon en zip si son nom finit par .springstep-lesson.</translation>
+    </message>
+    <message>
+        <source>nothing follows the last comma before this %1; remove the comma.</source>
+        <translation>rien ne suit la dernière virgule avant ce %1&#x202f;; enlève la virgule.</translation>
     </message>
 </context>
 <context>
@@ -2653,8 +2673,8 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>la scène de l’étape&#xa0;: enregistre-la dans la fenêtre sous ce nom, terminé par .json</translation>
     </message>
     <message>
-        <source>the texts of the step</source>
-        <translation>les textes de l’étape</translation>
+        <source>the texts of the step. Write the file, or remove the step from lesson.json</source>
+        <translation>les textes de l’étape. Écris le fichier, ou enlève l’étape de lesson.json</translation>
     </message>
     <message>
         <source>%1: a listing computes this scene. Choose a method in the window, and write the listing into %2.code.</source>
@@ -2738,8 +2758,8 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>le pas de «&#x202f;%1&#x202f;» est 1, ses nombres sont donc entiers. Choisis un pas plus petit, par exemple 0.1.</translation>
     </message>
     <message>
-        <source>the value of “%1” is %2, outside its range from %3 to %4.</source>
-        <translation>la valeur de «&#x202f;%1&#x202f;» est %2, en dehors de son intervalle de %3 à %4.</translation>
+        <source>the value of “%1” is %2, outside its range from %3 to %4. Change one of them.</source>
+        <translation>la valeur de «&#x202f;%1&#x202f;» est %2, en dehors de son intervalle de %3 à %4. Change l’un des deux.</translation>
     </message>
     <message>
         <source>the %1 of “%2” differs between the languages. Remove it here: the numbers are in the first language.</source>
@@ -2774,10 +2794,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>«&#x202f;%1&#x202f;» peut aller de %2 à %3 dans une scène, et le paramètre va de %4 à %5. Change son minimum ou son maximum.</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>rien</translation>
-    </message>
-    <message>
         <source>a parameter of your own needs a scene of the sandbox. Remove “%1”, or take the scene to the sandbox (Ctrl+B) and save it there.</source>
         <translation>un paramètre à toi a besoin d’une scène du bac à sable. Supprime «&#x202f;%1&#x202f;», ou emmène la scène dans le bac à sable (Ctrl+B) et enregistre-la là-bas.</translation>
     </message>
@@ -2800,6 +2816,14 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>nothing reads the parameter “%1”. Write %1 into the rule of the scene in place of a number, or let it set one: “- sets: k of a-b”.</source>
         <translation>rien ne lit le paramètre «&#x202f;%1&#x202f;». Écris %1 dans la règle de la scène à la place d’un nombre, ou fais-lui en régler un&#xa0;: «&#x202f;- sets: k of a-b&#x202f;».</translation>
+    </message>
+    <message>
+        <source>the scene has no springs. Build one, or write “- value: ” in place of “- sets: ”.</source>
+        <translation>la scène n’a pas de ressorts. Construis-en un, ou écris «&#x202f;- value:&#x202f;» à la place de «&#x202f;- sets:&#x202f;».</translation>
+    </message>
+    <message>
+        <source>the scene has no springs or sticks. Build one, or write “- value: ” in place of “- sets: ”.</source>
+        <translation>la scène n’a ni ressorts ni tiges. Construis-en, ou écris «&#x202f;- value:&#x202f;» à la place de «&#x202f;- sets:&#x202f;».</translation>
     </message>
 </context>
 <context>
@@ -4044,8 +4068,8 @@ Un mot que le texte utilise, en une phrase.
         <translation>--lessons&#xa0;: %1</translation>
     </message>
     <message>
-        <source>notebook write takes FILE; see springstep notebook --help.</source>
-        <translation>notebook write attend FILE&#x202f;; voir springstep notebook --help.</translation>
+        <source>notebook write takes OUT; see springstep notebook --help.</source>
+        <translation>notebook write attend OUT&#x202f;; voir springstep notebook --help.</translation>
     </message>
     <message>
         <source>%1 is not the name of a notebook; it ends in %2.</source>
@@ -4058,6 +4082,18 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>notebook check takes FILE...; see springstep notebook --help.</source>
         <translation>notebook check attend FILE...&#x202f;; voir springstep notebook --help.</translation>
+    </message>
+    <message>
+        <source>--%1 is for notebook check. Leave it out.</source>
+        <translation>--%1 est pour notebook check. Enlève cette option.</translation>
+    </message>
+    <message>
+        <source>--%1 is for notebook write. Leave it out.</source>
+        <translation>--%1 est pour notebook write. Enlève cette option.</translation>
+    </message>
+    <message>
+        <source>--json and --csv are two forms of the result. Leave one out.</source>
+        <translation>--json et --csv sont deux formes du résultat. Enlève l’une des deux.</translation>
     </message>
 </context>
 <context>
@@ -4150,6 +4186,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>%1 could not be written: %2. Choose another folder or name.</source>
         <translation>%1 n’a pas pu être écrit&#xa0;: %2. Choisis un autre dossier ou un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a picture; it ends in .png or .svg.</source>
+        <translation>%1 n’est pas un nom d’image&#x202f;; il doit finir par .png ou .svg.</translation>
     </message>
 </context>
 <context>
@@ -4788,8 +4828,8 @@ Un mot que le texte utilise, en une phrase.
         <translation>Il n’y a pas de paramètre %1 ici&#x202f;; il y a %2.</translation>
     </message>
     <message>
-        <source>There is no method %1.</source>
-        <translation>Il n’y a pas de méthode %1.</translation>
+        <source>There is no method %1; the methods are %2.</source>
+        <translation>Il n’y a pas de méthode %1&#x202f;; les méthodes sont %2.</translation>
     </message>
 </context>
 <context>
@@ -6035,8 +6075,8 @@ Un mot que le texte utilise, en une phrase.
         <translation>le zip est endommagé. Récupère-le à nouveau, ou refais un zip du dossier.</translation>
     </message>
     <message>
-        <source>this is not a zip, or its end is missing. Get it again.</source>
-        <translation>ce n’est pas un zip, ou il manque sa fin. Récupère-le à nouveau.</translation>
+        <source>this is not a zip, or its end is missing. Choose the lesson.json or the zip of a lesson, or get the zip again.</source>
+        <translation>ce n’est pas un zip, ou il manque sa fin. Choisis le lesson.json ou le zip d’une leçon, ou récupère à nouveau le zip.</translation>
     </message>
     <message>
         <source>%1 is in a folder. All files of a lesson are side by side.</source>

@@ -182,6 +182,10 @@
         <source>the code has no end. Write ``` on a line of its own after it.</source>
         <translation>Der Code hat kein Ende. Schreib dahinter ``` auf eine eigene Zeile.</translation>
     </message>
+    <message>
+        <source>a space is missing after “#”. Write the heading as in “## Learnt”.</source>
+        <translation>Nach „#“ fehlt ein Leerzeichen. Schreib die Überschrift wie in „## Learnt“.</translation>
+    </message>
 </context>
 <context>
     <name>Formula</name>
@@ -231,6 +235,33 @@
     <message>
         <source>the step has no parameter “%1”. Remove the heading: only lessons without C++ declare parameters in a document.</source>
         <translation>Der Schritt hat keinen Parameter „%1“. Entferne die Überschrift: Nur Lektionen ohne C++ legen Parameter in einem Text an.</translation>
+    </message>
+</context>
+<context>
+    <name>ListingText</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>this gap begins inside another one. Write “//&lt;” where that one ends.</source>
+        <translation>Diese Lücke beginnt in einer anderen. Schreib „//&lt;“ dorthin, wo die andere endet.</translation>
+    </message>
+    <message>
+        <source>a gap needs an id that no other gap has. Write it after “//&gt;”.</source>
+        <translation>Eine Lücke braucht eine Kennung, die keine andere hat. Schreib sie hinter „//&gt;“.</translation>
+    </message>
+    <message>
+        <source>no gap begins before this “//&lt;”. Write “//&gt; id” there, or remove it.</source>
+        <translation>Vor diesem „//&lt;“ beginnt keine Lücke. Schreib dort „//&gt; id“ oder nimm es heraus.</translation>
+    </message>
+    <message>
+        <source>the gap has no code. Write it above this line, or remove the gap.</source>
+        <translation>Die Lücke hat keinen Code. Schreib ihn über diese Zeile oder nimm die Lücke heraus.</translation>
+    </message>
+    <message>
+        <source>the last gap has no end. Write “//&lt;” after its code.</source>
+        <translation>Die letzte Lücke hat kein Ende. Schreib „//&lt;“ hinter ihren Code.</translation>
     </message>
 </context>
 <context>
@@ -515,12 +546,16 @@
         <translation>„%1“ ist unvollständig. Schreib x und y in px und die Anzahl der Bilder wie in „- %2: 300, 220, 10“.</translation>
     </message>
     <message>
-        <source>“%1” does not belong into this list. Write “- name: value”, on one line.</source>
+        <source>“%1” does not belong in this list. Write “- name: value”, on one line.</source>
         <translation>„%1“ gehört nicht in diese Liste. Schreib „- Name: Wert“ in eine Zeile.</translation>
     </message>
     <message>
         <source>there is no list below “### %1”. Write “- name: value” there, or remove the heading.</source>
         <translation>unter „### %1“ steht keine Liste. Schreib dort „- Name: Wert“ oder nimm die Überschrift heraus.</translation>
+    </message>
+    <message>
+        <source>nothing says which body to drag. Write its name, as in “- drag foot: %1”.</source>
+        <translation>hier fehlt, welcher Körper gezogen wird. Schreib seinen Namen wie in „- drag foot: %1“.</translation>
     </message>
 </context>
 </TS>

@@ -182,6 +182,10 @@
         <source>the code has no end. Write ``` on a line of its own after it.</source>
         <translation>el código no tiene final. Escribe detrás ``` en una línea aparte.</translation>
     </message>
+    <message>
+        <source>a space is missing after “#”. Write the heading as in “## Learnt”.</source>
+        <translation>falta un espacio después de «#». Escribe el título como en «## Learnt».</translation>
+    </message>
 </context>
 <context>
     <name>Formula</name>
@@ -231,6 +235,33 @@
     <message>
         <source>the step has no parameter “%1”. Remove the heading: only lessons without C++ declare parameters in a document.</source>
         <translation>el paso no tiene ningún parámetro «%1». Quita el título: solo las lecciones sin C++ declaran parámetros en un documento.</translation>
+    </message>
+</context>
+<context>
+    <name>ListingText</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>línea %1: %2</translation>
+    </message>
+    <message>
+        <source>this gap begins inside another one. Write “//&lt;” where that one ends.</source>
+        <translation>este hueco empieza dentro de otro. Escribe «//&lt;» donde termina el otro.</translation>
+    </message>
+    <message>
+        <source>a gap needs an id that no other gap has. Write it after “//&gt;”.</source>
+        <translation>un hueco necesita un identificador que ningún otro tenga. Escríbelo después de «//&gt;».</translation>
+    </message>
+    <message>
+        <source>no gap begins before this “//&lt;”. Write “//&gt; id” there, or remove it.</source>
+        <translation>ningún hueco empieza antes de este «//&lt;». Escribe allí «//&gt; id» o quítalo.</translation>
+    </message>
+    <message>
+        <source>the gap has no code. Write it above this line, or remove the gap.</source>
+        <translation>el hueco no tiene código. Escríbelo encima de esta línea o quita el hueco.</translation>
+    </message>
+    <message>
+        <source>the last gap has no end. Write “//&lt;” after its code.</source>
+        <translation>el último hueco no tiene final. Escribe «//&lt;» después de su código.</translation>
     </message>
 </context>
 <context>
@@ -515,12 +546,16 @@
         <translation>«%1» está incompleto. Escribe x e y en px y el número de fotogramas, como en «- %2: 300, 220, 10».</translation>
     </message>
     <message>
-        <source>“%1” does not belong into this list. Write “- name: value”, on one line.</source>
+        <source>“%1” does not belong in this list. Write “- name: value”, on one line.</source>
         <translation>«%1» no va en esta lista. Escribe «- nombre: valor», en una línea.</translation>
     </message>
     <message>
         <source>there is no list below “### %1”. Write “- name: value” there, or remove the heading.</source>
         <translation>no hay ninguna lista debajo de «### %1». Escribe allí «- nombre: valor» o quita el encabezado.</translation>
+    </message>
+    <message>
+        <source>nothing says which body to drag. Write its name, as in “- drag foot: %1”.</source>
+        <translation>falta el cuerpo que se arrastra. Escribe su nombre, como en «- drag foot: %1».</translation>
     </message>
 </context>
 </TS>

@@ -182,6 +182,10 @@
         <source>the code has no end. Write ``` on a line of its own after it.</source>
         <translation>le code n’a pas de fin. Écris ``` après lui, seul sur une ligne.</translation>
     </message>
+    <message>
+        <source>a space is missing after “#”. Write the heading as in “## Learnt”.</source>
+        <translation>il manque une espace après «&#x202f;#&#x202f;». Écris le titre comme dans «&#x202f;## Learnt&#x202f;».</translation>
+    </message>
 </context>
 <context>
     <name>Formula</name>
@@ -231,6 +235,33 @@
     <message>
         <source>the step has no parameter “%1”. Remove the heading: only lessons without C++ declare parameters in a document.</source>
         <translation>l’étape n’a pas de paramètre «&#x202f;%1&#x202f;». Supprime le titre&#xa0;: seules les leçons sans C++ déclarent des paramètres dans un document.</translation>
+    </message>
+</context>
+<context>
+    <name>ListingText</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>this gap begins inside another one. Write “//&lt;” where that one ends.</source>
+        <translation>cette lacune commence dans une autre. Écris «&#x202f;//&lt;&#x202f;» là où l’autre finit.</translation>
+    </message>
+    <message>
+        <source>a gap needs an id that no other gap has. Write it after “//&gt;”.</source>
+        <translation>une lacune a besoin d’un identifiant qu’aucune autre n’a. Écris-le après «&#x202f;//&gt;&#x202f;».</translation>
+    </message>
+    <message>
+        <source>no gap begins before this “//&lt;”. Write “//&gt; id” there, or remove it.</source>
+        <translation>aucune lacune ne commence avant ce «&#x202f;//&lt;&#x202f;». Écris-y «&#x202f;//&gt; id&#x202f;», ou enlève-le.</translation>
+    </message>
+    <message>
+        <source>the gap has no code. Write it above this line, or remove the gap.</source>
+        <translation>la lacune n’a pas de code. Écris-le au-dessus de cette ligne, ou enlève la lacune.</translation>
+    </message>
+    <message>
+        <source>the last gap has no end. Write “//&lt;” after its code.</source>
+        <translation>la dernière lacune n’a pas de fin. Écris «&#x202f;//&lt;&#x202f;» après son code.</translation>
     </message>
 </context>
 <context>
@@ -515,12 +546,16 @@
         <translation>«&#x202f;%1&#x202f;» est incomplet. Écris x et y en px et le nombre d’images, comme dans «&#x202f;- %2: 300, 220, 10&#x202f;».</translation>
     </message>
     <message>
-        <source>“%1” does not belong into this list. Write “- name: value”, on one line.</source>
+        <source>“%1” does not belong in this list. Write “- name: value”, on one line.</source>
         <translation>«&#x202f;%1&#x202f;» n’a pas sa place dans cette liste. Écris «&#x202f;- nom: valeur&#x202f;», sur une ligne.</translation>
     </message>
     <message>
         <source>there is no list below “### %1”. Write “- name: value” there, or remove the heading.</source>
         <translation>il n’y a pas de liste sous «&#x202f;### %1&#x202f;». Écris-y «&#x202f;- nom: valeur&#x202f;», ou enlève le titre.</translation>
+    </message>
+    <message>
+        <source>nothing says which body to drag. Write its name, as in “- drag foot: %1”.</source>
+        <translation>il manque le corps à tirer. Écris son nom, comme dans «&#x202f;- drag foot: %1&#x202f;».</translation>
     </message>
 </context>
 </TS>

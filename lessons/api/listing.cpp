@@ -22,9 +22,14 @@ constexpr auto commentContext = "listing"; ///< of comments in the translations
 constexpr qsizetype indentOfFunction = 4;
 constexpr qsizetype commentWidth = 38; ///< characters: fits into the code panel of a window of 1280 px
 
+struct ListingText
+{
+    Q_DECLARE_TR_FUNCTIONS(ListingText)
+};
+
 [[noreturn]] void rejectLine(int line, const QString &why)
 {
-    throw std::runtime_error(QStringLiteral("line %1 of a listing: %2").arg(line).arg(why).toStdString());
+    throw std::runtime_error(ListingText::tr("line %1: %2").arg(line).arg(why).toStdString());
 }
 
 /// Returns the lines of `text`. The part after the last line break is a line if it is not empty.
@@ -218,25 +223,31 @@ Listing parseListing(const QString &source)
         if (trimmed.startsWith(gapBegin)) {
             const QString id = trimmed.mid(gapBegin.size()).trimmed();
             if (isInGap)
-                rejectLine(number, QStringLiteral("a gap begins inside another"));
+                rejectLine(
+                    number,
+                    ListingText::tr("this gap begins inside another one. Write “//<” where that one ends."));
             if (id.isEmpty() || id == wholeFrame || listing.gap(id))
-                rejectLine(number, QStringLiteral("a gap needs an id that no other gap has"));
+                rejectLine(number,
+                           ListingText::tr("a gap needs an id that no other gap has. Write it after “//>”."));
             listing.gaps.push_back({id, static_cast<int>(kept.size()) + 1, 0});
             isInGap = true;
         } else if (trimmed == gapEnd) {
             if (!isInGap)
-                rejectLine(number, QStringLiteral("no gap begins before this end"));
+                rejectLine(
+                    number,
+                    ListingText::tr("no gap begins before this “//<”. Write “//> id” there, or remove it."));
             Gap &gap = listing.gaps.back();
             gap.lineCount = static_cast<int>(kept.size()) + 1 - gap.firstLine;
             if (gap.lineCount == 0)
-                rejectLine(number, QStringLiteral("the gap has no code"));
+                rejectLine(number, ListingText::tr(
+                                       "the gap has no code. Write it above this line, or remove the gap."));
             isInGap = false;
         } else {
             kept << line;
         }
     }
     if (isInGap)
-        rejectLine(number, QStringLiteral("the last gap has no end"));
+        rejectLine(number, ListingText::tr("the last gap has no end. Write “//<” after its code."));
     listing.text = textOf(kept);
     return listing;
 }

@@ -300,8 +300,12 @@ const support::Mistake mistakes[] = {
      "“310, 220” is incomplete. Write x and y in px and the number of frames, as in “- drag foot: 300, 220, "
      "10”."},
     {"a list with a sentence", "- k: 0.3\n", "The run.\n", "The run.",
-     "“The run.” does not belong into this list. Write “- name: value”, on one line."},
+     "“The run.” does not belong in this list. Write “- name: value”, on one line."},
     {"an empty list", "- place: foot\n", "", "### Ask", "there is no list below “### Ask”."},
+    {"frames twice", "- frames: 120", "- frames: 120\n- frames: 30", "- frames: 30",
+     "“frames” is there twice. Remove one of them."},
+    {"a drag of nothing", "- drag foot: 310", "- drag: 310", "- drag: 310",
+     "nothing says which body to drag. Write its name, as in “- drag foot: 310, 220, 10”."},
     {"until twice", "- until: speed", "- until: foot.x < 1\n- until: speed", "- until: speed",
      "“until” is there twice. Remove one of them."},
     {"an unknown question", "- place: foot", "- where: foot", "- where: foot",
@@ -339,9 +343,9 @@ private slots:
     void lineEndsAndAByteOrderMarkMakeNoDifference();
     void aMistakeIsNamedWithItsRemedy_data();
     void aMistakeIsNamedWithItsRemedy();
-    void aMistakeLeavesTheStepAsItWas();
-    void aListingWithoutAGapIsToldHowToHaveOne();
-    void conditionsGetTheirSentences();
+    void mistakeLeavesTheStepUnchanged();
+    void errorOfAListingWithoutAGapSaysHowToAddOne();
+    void conditionsGetTheirHints();
 };
 
 void BrokenDocumentsTest::aDocumentIsReadAsWritten()
@@ -425,7 +429,7 @@ void BrokenDocumentsTest::aMistakeIsNamedWithItsRemedy()
     support::checkMistake(goodDocument, documentName, mistakeIn);
 }
 
-void BrokenDocumentsTest::aMistakeLeavesTheStepAsItWas()
+void BrokenDocumentsTest::mistakeLeavesTheStepUnchanged()
 {
     lessons::Step step = goodStep();
     step.setTexts(lessons::parseDocument(goodDocument, documentName));
@@ -438,7 +442,7 @@ void BrokenDocumentsTest::aMistakeLeavesTheStepAsItWas()
     QCOMPARE(step.tries[0].id, QString("pull"));
 }
 
-void BrokenDocumentsTest::aListingWithoutAGapIsToldHowToHaveOne()
+void BrokenDocumentsTest::errorOfAListingWithoutAGapSaysHowToAddOne()
 {
     lessons::Step step = goodStep();
     step.listing = {};
@@ -453,7 +457,7 @@ void BrokenDocumentsTest::aListingWithoutAGapIsToldHowToHaveOne()
     QVERIFY2(why.endsWith(remedy), qPrintable(why));
 }
 
-void BrokenDocumentsTest::conditionsGetTheirSentences()
+void BrokenDocumentsTest::conditionsGetTheirHints()
 {
     lessons::Step step = goodStep();
     step.setTexts(lessons::parseDocument(goodDocument, documentName));

@@ -119,7 +119,7 @@ const support::Mistake recallMistakes[] = {
     {"a scene without a lesson", "single_spring/radial", "radial", "### Do", "the scene is missing."},
     {"a task without an end", "- until: foot.x < 200 and abs(foot.y) < 8\n", "", "### Do",
      "nothing says when this is done. Write “- until: condition” in the list."},
-    {"a line that is no item", "- k: 0.2", "k is 0.2", "k is 0.2", "does not belong into this list."},
+    {"a line that is no item", "- k: 0.2", "k is 0.2", "k is 0.2", "does not belong in this list."},
     {"Latin-1", "It jumps.", "Er h\xFCpft.", "Er h", "this is not UTF-8."},
 };
 
@@ -133,7 +133,7 @@ private slots:
     void questionsAreReadAsWritten();
     void aMistakeIsNamedWithItsRemedy_data();
     void aMistakeIsNamedWithItsRemedy();
-    void withoutQuestionsItIsAMistake();
+    void fileWithoutQuestionsIsAMistake();
     void aLessonWithoutAFileHasNoQuestions();
 };
 
@@ -172,7 +172,7 @@ void BrokenRecallTest::aMistakeIsNamedWithItsRemedy()
     support::checkMistake(goodRecall, recallName, recallMistake);
 }
 
-void BrokenRecallTest::withoutQuestionsItIsAMistake()
+void BrokenRecallTest::fileWithoutQuestionsIsAMistake()
 {
     QCOMPARE(recallMistake("# A title\n\nA text.\n"),
              QString("one/recall.md, line 1: there is no question. Write “## Question {#id}” and its text."));

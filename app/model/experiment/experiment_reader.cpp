@@ -59,7 +59,9 @@ private:
         m_experiment.lesson = m_fields.text("lesson", lessonIds(m_library));
         const LessonEntry *lesson = m_library.lesson(m_experiment.lesson);
         if (!lesson)
-            m_fields.refuse("lesson", noLesson(m_experiment.lesson, m_library));
+            m_fields.refuse("lesson", noLesson(m_experiment.lesson, m_library) + ' ' +
+                                          tr("If it is a lesson without C++, open it in the window, or "
+                                             "name its folder in SPRINGSTEP_LESSONS."));
         m_experiment.step = m_fields.text("step", stepIds(*lesson));
         m_step = lesson->step(m_experiment.step);
         if (!m_step)

@@ -196,8 +196,7 @@ QString whatIsWrong(rapidjson::ParseErrorCode code)
 {
     switch (code) {
     case rapidjson::kParseErrorDocumentRootNotSingular:
-        return Builder::tr(
-            "there is text after the end of the experiment; remove everything after its closing bracket.");
+        return Builder::tr("there is text after the end; remove everything after the closing bracket.");
     case rapidjson::kParseErrorObjectMissName:
         return Builder::tr("a name in double quotes is expected here.");
     case rapidjson::kParseErrorObjectMissColon:
@@ -226,6 +225,15 @@ QString whatIsWrong(rapidjson::ParseErrorCode code)
     }
 }
 
+/// Returns whether a list or an object ends at `at`, right after a comma.
+bool endsAfterComma(const QByteArray &text, qsizetype at)
+{
+    if (at >= text.size() || (text[at] != ']' && text[at] != '}'))
+        return false;
+    const QByteArray before = text.left(at).trimmed();
+    return before.endsWith(',');
+}
+
 }
 
 bool hasFewEnoughValues(const QByteArray &text)
@@ -240,13 +248,17 @@ JsonValue parseJson(const QByteArray &text, const QString &name)
 {
     const QString file = shownPath(name);
     const qsizetype start = text.startsWith("\xEF\xBB\xBF") ? 3 : 0;
+    if (text.startsWith("PK\x03\x04"))
+        throw UserError(Builder::tr("%1: this is a zip. The window opens a zipped lesson if its name ends in "
+                                    ".springstep-lesson.")
+                            .arg(file));
     if (const qsizetype zero = text.indexOf('\0'); zero >= 0)
         throw UserError(
             Builder::tr("%1: line %2: there is a zero byte; an experiment is JSON text in UTF-8.")
                 .arg(file, QString::number(1 + std::count(text.begin(), text.begin() + zero, '\n'))));
     const auto body = QByteArray::fromRawData(text.constData() + start, text.size() - start);
     if (std::all_of(body.begin(), body.end(), [](char c) { return QChar::isSpace(uchar(c)); }))
-        throw UserError(Builder::tr("%1: line 1: the file is empty; an experiment begins with {.").arg(file));
+        throw UserError(Builder::tr("%1: line 1: the file is empty; it must begin with {.").arg(file));
 
     rapidjson::MemoryStream stream(body.constData(), std::size_t(body.size()));
     Builder builder(body, stream);
@@ -258,9 +270,12 @@ JsonValue parseJson(const QByteArray &text, const QString &name)
     if (!result.IsError())
         return builder.takeRoot();
     QString why = builder.error();
+    if (why.isEmpty() && endsAfterComma(body, qsizetype(result.Offset())))
+        why = Builder::tr("nothing follows the last comma before this %1; remove the comma.")
+                  .arg(QLatin1Char(body[qsizetype(result.Offset())]));
     if (why.isEmpty())
         why = stream.Tell() >= std::size_t(body.size())
-                  ? Builder::tr("the file ends here too early; the rest of the experiment is missing.")
+                  ? Builder::tr("the file ends here too early; the rest of it is missing.")
                   : whatIsWrong(result.Code());
     throw UserError(Builder::tr("%1: line %2: %3").arg(file, QString::number(builder.line()), why));
 }

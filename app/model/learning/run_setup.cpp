@@ -25,6 +25,14 @@ QString idsOfParameters(const lessons::Step &step)
     return ids.join(QStringLiteral(", "));
 }
 
+QString idsOfMethods()
+{
+    QStringList ids;
+    for (const sim::MethodPtr &method : sim::allMethods())
+        ids << QString::fromStdString(method->id());
+    return ids.join(QStringLiteral(", "));
+}
+
 /// Returns the value of a parameter as a document writes it.
 double valueOf(const lessons::Parameter &parameter, const QString &text)
 {
@@ -117,12 +125,16 @@ sim::Script scriptWith(const lessons::RunSetup &setup, const lessons::Step &step
     if (!setup.method.isEmpty()) {
         const sim::MethodPtr method = sim::findMethod(setup.method.toStdString());
         if (!method)
-            throw UserError(RunSetupText::tr("There is no method %1.").arg(quoted(setup.method)));
+            throw UserError(RunSetupText::tr("There is no method %1; the methods are %2.")
+                                .arg(quoted(setup.method), idsOfMethods()));
         script.method = method;
         script.step = sim::stepFor(*method, script.step);
     }
     const sim::Scene scene = sim::sceneOf(script, script.values);
     for (const lessons::RunSetup::Place &place : setup.places) {
+        const lessons::Parameter *parameter = step.parameter(place.body);
+        if (parameter && scene.find(place.body.toStdString()) < 0) // "1,2" with a decimal comma
+            valueOf(*parameter, exactNumber(place.at.x) + ',' + exactNumber(place.at.y));
         pointIn(scene, place.body);
         script.bodies[place.body.toStdString()] = {place.at, {}};
     }

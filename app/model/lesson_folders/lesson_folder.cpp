@@ -250,7 +250,9 @@ private:
             sceneFile,
             LessonFolderText::tr(
                 "the scene of the step: save it in the window under this name, with the ending .json"));
-        requireFile(ownDocument, LessonFolderText::tr("the texts of the step"));
+        requireFile(ownDocument,
+                    LessonFolderText::tr(
+                        "the texts of the step. Write the file, or remove the step from lesson.json"));
         const lessons::Document own = document(ownDocument);
         const QString shownDocument = documentFile(id);
         lessons::Document texts = shownDocument == ownDocument ? own : document(shownDocument);
@@ -341,7 +343,7 @@ private:
         try {
             step.listing = lessons::parseListing(source);
         } catch (const std::runtime_error &error) {
-            throw UserError(QStringLiteral("%1: %2.").arg(shown(file), QString::fromUtf8(error.what())));
+            throw UserError(QStringLiteral("%1: %2").arg(shown(file), QString::fromUtf8(error.what())));
         }
         if (step.h != 1.0)
             throw UserError(

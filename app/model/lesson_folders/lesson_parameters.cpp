@@ -86,7 +86,8 @@ void checkDeclaration(const lessons::Document &own, const lessons::ParameterText
                    .arg(text.id));
     if (text.value && !(*text.value >= *text.minimum && *text.value <= *text.maximum))
         reject(own, text.line,
-               LessonParametersText::tr("the value of “%1” is %2, outside its range from %3 to %4.")
+               LessonParametersText::tr(
+                   "the value of “%1” is %2, outside its range from %3 to %4. Change one of them.")
                    .arg(text.id, exactNumber(*text.value), exactNumber(*text.minimum),
                         exactNumber(*text.maximum)));
 }
@@ -180,6 +181,11 @@ private:
         addLinks(m_plan.springs, isStiffness ? Number::springStiffness : Number::springLength, a, b);
         if (!isStiffness)
             addLinks(m_plan.sticks, Number::stickLength, a, b);
+        if (m_targets.size() == before && pairsThere(isStiffness).isEmpty())
+            refuse(isStiffness ? LessonParametersText::tr("the scene has no springs. Build one, or write "
+                                                          "“- value: ” in place of “- sets: ”.")
+                               : LessonParametersText::tr("the scene has no springs or sticks. Build one, or "
+                                                          "write “- value: ” in place of “- sets: ”."));
         if (m_targets.size() == before)
             refuse((isStiffness ? LessonParametersText::tr(
                                       "no spring of the scene joins “%1” and “%2”. Springs join %3.")
@@ -221,7 +227,7 @@ private:
         note(m_plan.springs);
         if (!isStiffness)
             note(m_plan.sticks);
-        return pairs.isEmpty() ? LessonParametersText::tr("nothing") : quotedList(pairs);
+        return quotedList(pairs);
     }
 
     const lessons::Document &m_own;

@@ -68,7 +68,9 @@ public:
             if (number(at, 4) == endSign)
                 return at;
         }
-        refuse(tr("this is not a zip, or its end is missing. Get it again."));
+        refuse(
+            tr("this is not a zip, or its end is missing. Choose the lesson.json or the zip of a lesson, or "
+               "get the zip again."));
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "app/model/text/user_error.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QSaveFile>
 #include <QSvgGenerator>
 
@@ -41,8 +42,11 @@ bool drawPng(SceneView &view, QSaveFile &file)
 
 void savePicture(SceneView &view, const QString &path)
 {
-    QSaveFile file(path);
     const bool isSvg = path.endsWith(".svg", Qt::CaseInsensitive);
+    if (!isSvg && !path.endsWith(".png", Qt::CaseInsensitive))
+        throw UserError(PictureFileText::tr("%1 is not the name of a picture; it ends in .png or .svg.")
+                            .arg(quoted(QFileInfo(path).fileName())));
+    QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || !(isSvg ? drawSvg(view, file) : drawPng(view, file)) ||
         !file.commit())
         throw UserError(PictureFileText::tr("%1 could not be written: %2. Choose another folder or name.")

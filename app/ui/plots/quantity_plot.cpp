@@ -480,6 +480,7 @@ PlotPicture QuantityPlot::picture()
     QString name = quantityName(m_series.bound(m_spec.up));
     if (!m_spec.isAgainstTime())
         name += QStringLiteral(" against ") + quantityName(m_series.bound(m_spec.across));
+    name.remove(')').replace(QLatin1String(", "), QLatin1String(",")); // "distance-foot-body"
     for (QChar &c : name) { // names of bodies may hold anything; names of files may not
         if (!c.isLetterOrNumber() && c != '_' && c != ' ')
             c = '-';

@@ -55,6 +55,7 @@ bool beginsLine(const QString &line)
 ScannedDocument scanDocument(const QByteArray &source, const QString &file)
 {
     static const QRegularExpression headingPattern(QStringLiteral("^(#{1,3})\\s+(\\S.*)$"));
+    static const QRegularExpression gluedPattern(QStringLiteral("^#{1,3}[A-Za-z]"));
     const QRegularExpressionMatch none;
     ScannedDocument document;
     DocumentPart *open = nullptr;
@@ -72,6 +73,10 @@ ScannedDocument scanDocument(const QByteArray &source, const QString &file)
                 ScanText::tr("the title is missing. Begin the file with “# ” and the title of the step."));
         if (open && level == 1)
             throw DocumentError(file, number, ScanText::tr("this is a second title. Write “## ” instead."));
+        if (fenceLine == 0 && level == 0 && gluedPattern.match(line).hasMatch())
+            throw DocumentError(
+                file, number,
+                ScanText::tr("a space is missing after “#”. Write the heading as in “## Learnt”."));
         if (level == 1) {
             document.title = {heading.captured(2).trimmed(), number};
             open = &document.title;

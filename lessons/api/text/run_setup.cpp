@@ -40,7 +40,7 @@ public:
     {
         static const QString drag = QStringLiteral("drag ");
         if (item.name == u"frames")
-            m_run.frames = framesIn(item, item.value);
+            setFrames(item);
         else if (item.name == u"until")
             setOnce(m_run.until, item);
         else if (item.name == u"method")
@@ -53,6 +53,10 @@ public:
             m_run.press = pressIn(item);
         else if (item.name == u"click")
             m_run.click = placeIn(item);
+        else if (item.name == u"drag")
+            reject(item, RunSetupReaderText::tr(
+                             "nothing says which body to drag. Write its name, as in “- drag foot: %1”.")
+                             .arg(item.value));
         else if (item.value.contains(','))
             m_run.places.push_back({item.name, placeIn(item)});
         else
@@ -67,10 +71,21 @@ private:
         throw DocumentError(m_file, item.line, why);
     }
 
+    void checkOnce(bool isThere, const ListItem &item) const
+    {
+        if (isThere)
+            reject(item, RunSetupReaderText::tr("“%1” is there twice. Remove one of them.").arg(item.name));
+    }
+
+    void setFrames(const ListItem &item)
+    {
+        checkOnce(m_run.frames > 0, item);
+        m_run.frames = framesIn(item, item.value);
+    }
+
     void setOnce(QString &text, const ListItem &item) const
     {
-        if (!text.isEmpty())
-            reject(item, RunSetupReaderText::tr("“%1” is there twice. Remove one of them.").arg(item.name));
+        checkOnce(!text.isEmpty(), item);
         text = item.value;
     }
 
@@ -141,11 +156,10 @@ std::vector<ListItem> parseList(const DocumentPart &part, const QString &file)
             continue;
         const auto match = pattern.match(text.trimmed());
         if (!match.hasMatch())
-            throw DocumentError(
-                file, line,
-                RunSetupReaderText::tr(
-                    "“%1” does not belong into this list. Write “- name: value”, on one line.")
-                    .arg(text.trimmed()));
+            throw DocumentError(file, line,
+                                RunSetupReaderText::tr(
+                                    "“%1” does not belong in this list. Write “- name: value”, on one line.")
+                                    .arg(text.trimmed()));
         items.push_back({match.captured(1), match.captured(2), line});
     }
     if (items.empty())

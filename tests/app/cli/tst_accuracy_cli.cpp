@@ -94,7 +94,7 @@ double apart(const QString &a, const QString &b)
 
 }
 
-/// `springstep accuracy`: what it says, in all its forms.
+/// `springstep accuracy`: its output in all formats.
 class TestAccuracyCli : public QObject
 {
     Q_OBJECT
@@ -127,6 +127,11 @@ private slots:
             "lists them.");
         row("a step that is not there", {"two_body/sideways"},
             "The lesson \"two_body\" has no step \"sideways\"; it has \"mutual\", \"leg_line\".");
+        row("a file that is not there", {"runs/walk.springstep"},
+            "\"runs/walk.springstep\" is neither a file nor a step; name a step as LESSON/STEP, as "
+            "\"springstep lessons\" lists them.");
+        row("a picture of another kind", {"two_body/mutual", "--svg", "out.png"},
+            "springstep: \"out.png\" is not the name of a plot; it ends in .svg.");
         row("a tolerance of 0", {"two_body/mutual", "--tolerance", "0"},
             "springstep: --tolerance is \"0\"; it can be 1e-12 to 1000000.");
         row("a tolerance in words", {"two_body/mutual", "--tolerance", "small"},
@@ -206,7 +211,7 @@ private slots:
         }
     }
 
-    void aToleranceIsAnsweredByTheExitCode()
+    void exitCodeTellsWhetherTheToleranceIsMet()
     {
         const Answer near = springstep(
             {"accuracy", "single_spring/radial", "--frames", "30", "--tolerance", "0.5", "--json"});
@@ -285,7 +290,7 @@ private slots:
     }
 
 private:
-    /// That each answer to "which is the cheapest" is the one that the rows give.
+    /// Checks that each answer to "which is the cheapest" follows from the rows.
     static void checkCheapest(const QJsonObject &all)
     {
         const QJsonObject cheapest = all["cheapest"].toObject();

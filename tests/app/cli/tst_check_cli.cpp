@@ -18,7 +18,7 @@ namespace {
 
 const QString lessonExamples = QStringLiteral(SOURCE_DIR "/lessons/examples/");
 
-/// Copies an example into `folder`, with another text in one of its files.
+/// Copies an example into `folder`, and replaces a text in one of its files.
 void copyChanged(const QString &example, const QString &folder, const QString &changed,
                  const QByteArray &from, const QByteArray &to)
 {
@@ -63,7 +63,7 @@ private slots:
         QCOMPARE(QDir(dir.path()).entryList(QDir::Files).size(), 1);
     }
 
-    void aThingThatIsNotSolvedIsOne()
+    void failedThingToTryGivesExitCode1()
     {
         const QTemporaryDir dir;
         copyChanged("pendulum_clock", dir.path(), "clock.md", "- drag bob: 310, 296, 40",
@@ -85,6 +85,43 @@ private slots:
             qPrintable(answer.err));
     }
 
+    void aMistakeNamesItsPlaceAndTheRemedy_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<QString>("said");
+        const auto row = [](const char *name, const char *file, const char *from, const char *to,
+                            const QString &said) {
+            QTest::newRow(name) << QString(file) << QByteArray(from) << QByteArray(to) << said;
+        };
+        row("a concept that nobody teaches", "clock.md", "Rests on: pendulum_length", "Rests on: pendulm",
+            "the concept “limit_swing” rests on “pendulm”, which no step explains.");
+        row("a heading without a space", "swing.md", "## Try {#let_go}", "##Try {#let_go}",
+            "/swing.md, line 15: a space is missing after “#”. Write the heading as in “## Learnt”.");
+        row("a drag of nothing", "swing.md", "- drag bob: 350, 286, 10", "- drag: 350, 286, 10",
+            "/swing.md, line 38: nothing says which body to drag. Write its name, as in “- drag foot: 350, "
+            "286, 10”.");
+        row("a decimal comma", "swing.md", "- gravity: 1.2", "- gravity: 1,2",
+            "gravity cannot be \"1,2\". It can be a number from -1000000 to 1000000.");
+        row("a gap within a gap", "swing.code", "//<", "// <",
+            "/swing.code: line 23: this gap begins inside another one. Write “//<” where that one ends.");
+        row("a comma too many", "lesson.json", "\"clock\"]", "\"clock\",]",
+            "/lesson.json: line 12: nothing follows the last comma before this ]; remove the comma.");
+    }
+    void aMistakeNamesItsPlaceAndTheRemedy()
+    {
+        QFETCH(QString, file);
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(QString, said);
+        const QTemporaryDir dir;
+        copyChanged("pendulum_clock", dir.path(), file, from, to);
+        const Answer answer = springstep({"check", dir.path()});
+        QVERIFY2(answer.err.contains(said), qPrintable(answer.err));
+        checkRefusal(answer);
+    }
+
     void badInputIsOneSentence_data()
     {
         QTest::addColumn<QString>("path");
@@ -93,8 +130,9 @@ private slots:
                                        << "there is no such folder or file";
         QTest::newRow("a folder without a lesson") << SOURCE_DIR "/lessons/examples"
                                                    << "there is no lesson.json";
-        QTest::newRow("no zip") << lessonExamples + "pendulum_clock/swing.md"
-                                << "this is not a zip";
+        QTest::newRow("no zip")
+            << lessonExamples + "pendulum_clock/swing.md"
+            << "this is not a zip, or its end is missing. Choose the lesson.json or the zip of a lesson";
         QTest::newRow("a lesson in C++") << SOURCE_DIR "/lessons/two_body"
                                          << "lesson.json";
     }

@@ -16,7 +16,7 @@
 
 using namespace program;
 
-/// What the command line says and answers.
+/// The output and the exit codes of the command line.
 class TestCli : public QObject
 {
     Q_OBJECT
@@ -39,6 +39,7 @@ private slots:
         row("neither verb nor file", {"lesons"},
             "there is no verb and no file \"lesons\"; the verbs are lessons, check, trace, accuracy, "
             "hardcases, cost, screenshot, film, notebook, handout.");
+        row("two files", {SOURCE_DIR "/README.md", "b"}, "the window opens one file; leave out \"b\".");
         row("an unknown option", {"--fast"}, "Unknown option 'fast'; see springstep --help.");
         row("an unknown option of a verb", {"lessons", "--xml"},
             "Unknown option 'xml'; see springstep lessons --help.");
@@ -111,7 +112,7 @@ private slots:
         QVERIFY(colors.size() > 10);
     }
 
-    void screenshotOfAStepThatIsNotThereListsWhatThereIs()
+    void screenshotOfAMissingStepListsTheStepsOfTheLesson()
     {
         const Answer answer = springstep({"screenshot", "two_body/sideways", m_folder.filePath("none.png")});
         QCOMPARE(answer.err,
@@ -120,7 +121,7 @@ private slots:
         QCOMPARE(answer.code, 2);
     }
 
-    void helpAndVersionAreAnswers()
+    void helpAndVersionExitWithCode0()
     {
         for (const QStringList &arguments : {QStringList{"--help"},
                                              {"lessons", "--help"},
@@ -136,7 +137,7 @@ private slots:
         QVERIFY(QRegularExpression("\\Aspringstep \\d+\\.\\d+\\.\\d+\n\\z").match(version.out).hasMatch());
     }
 
-    void lessonsListsWhatThereIs()
+    void lessonsListsStepsParametersAndMethods()
     {
         const Answer answer = springstep({"lessons"});
         QCOMPARE(answer.code, 0);
@@ -174,7 +175,7 @@ private slots:
             }
         }
         QVERIFY(order > 0);
-        // All that a file can name, the sandbox too.
+        // Everything that a file can name is listed, also the sandbox.
         for (const QString &plugin : QDir(LESSON_DIR).entryList({"liblesson_*.so"})) {
             const QString id = plugin.mid(10).chopped(3);
             QVERIFY2(ids.removeOne(id), qPrintable(id));

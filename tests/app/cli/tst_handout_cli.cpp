@@ -64,6 +64,10 @@ void HandoutCliTest::badUseIsOneSentenceAndCodeTwo_data()
                                       << "--language is \"xx\"; it can be de, en, es, fr.";
     QTest::newRow("no such lesson") << QStringList{"two_bodies", "out.pdf", "--language", "en"}
                                     << "handout: there is no lesson \"two_bodies\"";
+    QTest::newRow("a file that is no lesson")
+        << QStringList{SOURCE_DIR "/README.md", "out.pdf", "--language", "en"}
+        << "README.md: this is not a zip, or its end is missing. Choose the lesson.json or the zip of a "
+           "lesson";
     QTest::newRow("no such folder") << QStringList{"two_body", "/nowhere/out.pdf", "--language", "en"}
                                     << "the file could not be written";
 }

@@ -28,9 +28,12 @@ QString lessonIds()
     return app::quotedList(ids);
 }
 
+const QString ownLesson = QStringLiteral(" If it is a lesson without C++, open it in the window, or name its "
+                                         "folder in SPRINGSTEP_LESSONS.");
+
 }
 
-/// Every way in which an experiment file can be wrong is one sentence with the line and the remedy.
+/// Every mistake in an experiment file gets one sentence with the line and the remedy.
 class TestExperiment : public QObject
 {
     Q_OBJECT
@@ -42,10 +45,9 @@ private slots:
         const auto row = [](const char *name, const QByteArray &text, const QString &sentence) {
             QTest::newRow(name) << text << sentence;
         };
-        row("empty", "", "line 1: the file is empty; an experiment begins with {.");
-        row("blank", " \n\n ", "line 1: the file is empty; an experiment begins with {.");
-        row("only a byte order mark", "\xEF\xBB\xBF",
-            "line 1: the file is empty; an experiment begins with {.");
+        row("empty", "", "line 1: the file is empty; it must begin with {.");
+        row("blank", " \n\n ", "line 1: the file is empty; it must begin with {.");
+        row("only a byte order mark", "\xEF\xBB\xBF", "line 1: the file is empty; it must begin with {.");
         row("prose", "Dear learner,\nhello",
             "line 1: this is not JSON; a value is a number, a \"text\", true, false, null, a [list] or an "
             "{object}.");
@@ -59,21 +61,25 @@ private slots:
         row("bytes that are not UTF-8", with("\"method\": \"\xC3(\""),
             "line 5: a text has bytes that are not UTF-8; save the file as UTF-8.");
         row("truncated after a name", with("\"h\"").chopped(3),
-            "line 5: the file ends here too early; the rest of the experiment is missing.");
+            "line 5: the file ends here too early; the rest of it is missing.");
         row("truncated in a text", "{\n\"format\": \"spri",
-            "line 2: the file ends here too early; the rest of the experiment is missing.");
+            "line 2: the file ends here too early; the rest of it is missing.");
         row("truncated in a number", "{\n\"h\": 1.",
-            "line 2: the file ends here too early; the rest of the experiment is missing.");
+            "line 2: the file ends here too early; the rest of it is missing.");
         row("truncated in a word", "{\n\"h\": tru",
-            "line 2: the file ends here too early; the rest of the experiment is missing.");
+            "line 2: the file ends here too early; the rest of it is missing.");
         row("a list", "[1, 2]", "line 1: the file is a list; it must be an object in { }.");
         row("a number", "12", "line 1: the file is 12; it must be an object in { }.");
         row("two experiments", "{}\n{}",
-            "line 2: there is text after the end of the experiment; remove everything after its closing "
-            "bracket.");
+            "line 2: there is text after the end; remove everything after the closing bracket.");
         row("a missing comma", with("\"h\": 1\n\"frames\": 2"),
             "line 6: a comma or a closing } is expected here.");
-        row("a comma too many", with("\"h\": 1,"), "line 6: a name in double quotes is expected here.");
+        row("a comma too many", with("\"h\": 1,"),
+            "line 6: nothing follows the last comma before this }; remove the comma.");
+        row("a comma too many in a list", with("\"effects\": [\"walls\",]"),
+            "line 5: nothing follows the last comma before this ]; remove the comma.");
+        row("a zip", "PK\x03\x04 and more",
+            "this is a zip. The window opens a zipped lesson if its name ends in .springstep-lesson.");
         row("a missing colon", with("\"h\" 1"),
             "line 5: a colon is expected here, between a name and its value.");
         row("a name without quotes", with("h: 1"), "line 5: a name in double quotes is expected here.");
@@ -147,16 +153,16 @@ private slots:
         row("no step", "{" + format + ", \"lesson\": \"two_body\"}",
             "line 1: the file has no \"step\"; add it. It must be \"mutual\", \"leg_line\".");
         row("an unknown lesson", "{" + format + ",\n\"lesson\": \"three_body\", \"step\": \"mutual\"}",
-            "line 2: there is no lesson \"three_body\"; there is " + lessons + ".");
+            "line 2: there is no lesson \"three_body\"; there is " + lessons + "." + ownLesson);
         row("an unknown step", "{" + format + ",\n\"lesson\": \"two_body\",\n\"step\": \"mutal\"}",
             "line 3: the lesson \"two_body\" has no step \"mutal\"; it has \"mutual\", \"leg_line\".");
         row("a lesson with a line break and an escape sequence",
             "{" + format + ", \"lesson\": \"a\\nb\\u001b[31m\", \"step\": \"mutual\"}",
-            "line 1: there is no lesson \"a\\nb\\u001b[31m\"; there is " + lessons + ".");
+            "line 1: there is no lesson \"a\\nb\\u001b[31m\"; there is " + lessons + "." + ownLesson);
         row("a lesson of a million letters",
             "{" + format + ", \"lesson\": \"" + QByteArray(1'000'000, 'a') + "\", \"step\": \"mutual\"}",
             "line 1: there is no lesson \"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\u2026\"; there is " +
-                lessons + ".");
+                lessons + "." + ownLesson);
         row("an unknown field", with("\"gravity\": 1"),
             "line 5: the file has no field \"gravity\"; there is \"format\", \"lesson\", \"step\", "
             "\"method\", \"code\", \"h\", \"tolerance\", \"effects\", \"scene\", \"frames\", "

@@ -53,19 +53,20 @@ class ExportTest : public QObject
     Q_OBJECT
 
 private slots:
-    void theDialogMakesAFilmWhileTheWindowGoesOn();
+    void filmIsMadeWhileTheWindowStaysUsable();
     void aFilmIsAsWideAsIsTypedAndKeepsItsShape_data();
     void aFilmIsAsWideAsIsTypedAndKeepsItsShape();
     void aFilmCanHaveTheShapeOfTheScene();
     void aFilmThatIsStoppedLeavesNoFile();
     void theLineOfTheCodeThatEndsAFilmIsNamed();
-    void aFilmThatIsThereIsWrittenOverWhenThatIsWanted();
-    void picturesThatAreThereAreAskedAboutToo();
-    void aFolderThatIsNotThereIsSaid();
+    void existingFilmIsReplacedOnlyAfterConfirmation();
+    void existingPicturesAreReplacedOnlyAfterConfirmation();
+    void missingFolderIsReported();
     void aLongMessageSqueezesNoText();
     void thePictureIsCopiedAndSaved();
-    void theSvgLooksAsThePictureDoes_data();
-    void theSvgLooksAsThePictureDoes();
+    void aPictureHasAKnownEnding();
+    void svgLooksLikeThePicture_data();
+    void svgLooksLikeThePicture();
 
 private:
     FilmDialog &openDialog(WindowFixture &fixture);
@@ -78,7 +79,7 @@ FilmDialog &ExportTest::openDialog(WindowFixture &fixture)
     return *fixture.window.findChild<FilmDialog *>();
 }
 
-void ExportTest::theDialogMakesAFilmWhileTheWindowGoesOn()
+void ExportTest::filmIsMadeWhileTheWindowStaysUsable()
 {
     WindowFixture fixture({"multi_foot", "two_feet"});
     fixture.drag("foot0", {30, 10});
@@ -100,7 +101,7 @@ void ExportTest::theDialogMakesAFilmWhileTheWindowGoesOn()
     QTest::keyClicks(&size.width(), "320");
     QTest::keyClick(&file, Qt::Key_Return);
     QVERIFY(dialog.isMaking());
-    fixture.session.openStep("single_spring", "drag"); // whatever the window shows meanwhile
+    fixture.session.openStep("single_spring", "drag"); // the window may show another step
     QTRY_VERIFY(!dialog.isMaking());
     QVERIFY2(dialog.message().startsWith("dialog.gif is saved"), qPrintable(dialog.message()));
     const Decoded film = decoded(path);
@@ -190,7 +191,7 @@ void ExportTest::aFilmThatIsStoppedLeavesNoFile()
     QCOMPARE(QDir(m_folder.path()).entryList({"stopped*"}), QStringList());
 }
 
-void ExportTest::aFilmThatIsThereIsWrittenOverWhenThatIsWanted()
+void ExportTest::existingFilmIsReplacedOnlyAfterConfirmation()
 {
     WindowFixture fixture;
     FilmDialog &dialog = openDialog(fixture);
@@ -222,7 +223,7 @@ void ExportTest::aFilmThatIsThereIsWrittenOverWhenThatIsWanted()
     QVERIFY(!dialog.isMaking());
 }
 
-void ExportTest::picturesThatAreThereAreAskedAboutToo()
+void ExportTest::existingPicturesAreReplacedOnlyAfterConfirmation()
 {
     WindowFixture fixture;
     FilmDialog &dialog = openDialog(fixture);
@@ -241,7 +242,7 @@ void ExportTest::picturesThatAreThereAreAskedAboutToo()
     QCOMPARE(contentsOf(m_folder.filePath("walk_0003.png")), QByteArray("precious"));
 }
 
-void ExportTest::aFolderThatIsNotThereIsSaid()
+void ExportTest::missingFolderIsReported()
 {
     WindowFixture fixture;
     FilmDialog &dialog = openDialog(fixture);
@@ -277,7 +278,18 @@ void ExportTest::thePictureIsCopiedAndSaved()
     QVERIFY(fixture.notice.sentence().startsWith("Could not save the picture: "));
 }
 
-void ExportTest::theSvgLooksAsThePictureDoes_data()
+void ExportTest::aPictureHasAKnownEnding()
+{
+    WindowFixture fixture;
+    const QString path = m_folder.filePath("scene.bmp");
+    QVERIFY(!fixture.window.savePictureAs(path));
+    QVERIFY(!QFile::exists(path));
+    QCOMPARE(fixture.notice.sentence(),
+             QString("Could not save the picture: \"scene.bmp\" is not the name of a "
+                     "picture; it ends in .png or .svg."));
+}
+
+void ExportTest::svgLooksLikeThePicture_data()
 {
     QTest::addColumn<QByteArray>("lesson");
     QTest::addColumn<QByteArray>("step");
@@ -287,7 +299,7 @@ void ExportTest::theSvgLooksAsThePictureDoes_data()
     QTest::newRow("tree") << QByteArray("swaying_tree") << QByteArray("turbulence");
 }
 
-void ExportTest::theSvgLooksAsThePictureDoes()
+void ExportTest::svgLooksLikeThePicture()
 {
     QFETCH(QByteArray, lesson);
     QFETCH(QByteArray, step);

@@ -59,10 +59,10 @@ private slots:
     void aRuleReadsAParameter();
     void aParameterSetsASpringOfTheScene();
     void aTranslationHasItsOwnTexts();
-    void predictionsAndSolutionsSetIt();
-    void filesKeepIt();
-    void aNewLessonTakesItAlong();
-    void aRuleWithNumbersDoesTheSame();
+    void predictionsAndSolutionsSetTheParameter();
+    void filesKeepTheParameter();
+    void newLessonKeepsTheParameter();
+    void parametersOfARuleCanBeReplacedByNumbers();
     void aMistakeIsNamedWithItsPlace_data();
     void aMistakeIsNamedWithItsPlace();
     void aTranslationThatDiffersIsRefused_data();
@@ -133,7 +133,7 @@ void TestLessonParameters::aTranslationHasItsOwnTexts()
     QCOMPARE(refusalOf(files, "de"), QString());
 }
 
-void TestLessonParameters::predictionsAndSolutionsSetIt()
+void TestLessonParameters::predictionsAndSolutionsSetTheParameter()
 {
     LessonFiles files =
         pendulumWith("clock.md", "- damp: 0.9\n\n### Other curve", "- wheel: 0\n\n### Other curve");
@@ -151,7 +151,7 @@ void TestLessonParameters::predictionsAndSolutionsSetIt()
              qPrintable(refusalOf(files)));
 }
 
-void TestLessonParameters::filesKeepIt()
+void TestLessonParameters::filesKeepTheParameter()
 {
     LessonLibrary library = plainLibrary();
     library.yours.push_back(lessonOf(filesOf(pendulum), "en", library));
@@ -171,7 +171,7 @@ void TestLessonParameters::filesKeepIt()
     QVERIFY2(refused.contains("\"wheel\" is 0.25; it can be 0 to 0.2."), qPrintable(refused));
 }
 
-void TestLessonParameters::aNewLessonTakesItAlong()
+void TestLessonParameters::newLessonKeepsTheParameter()
 {
     LessonLibrary library = plainLibrary();
     library.yours.push_back(lessonOf(filesOf(pendulum), "en", library));
@@ -200,7 +200,7 @@ void TestLessonParameters::aNewLessonTakesItAlong()
     QCOMPARE(mistakes, QString());
 }
 
-void TestLessonParameters::aRuleWithNumbersDoesTheSame()
+void TestLessonParameters::parametersOfARuleCanBeReplacedByNumbers()
 {
     const std::string rule = "// wheel\nVec2 force(Body me)\n{\n    double low = 5 / wheel;\n"
                              "    if (me.radius > 3) { double wheel = 2; low = wheel; }\n"
@@ -240,7 +240,7 @@ void TestLessonParameters::aMistakeIsNamedWithItsPlace_data()
         "the minimum of “wheel” is not below its maximum.");
     row("no value", "clock.md", "- value: 0.1\n", "", "the parameter “wheel” has no value at the start.");
     row("a value outside", "clock.md", "- value: 0.1", "- value: 0.3",
-        "the value of “wheel” is 0.3, outside its range from 0 to 0.2.");
+        "the value of “wheel” is 0.3, outside its range from 0 to 0.2. Change one of them.");
     row("whole numbers", "clock.md", "- step: 0.001", "- step: 1", "the step of “wheel” is 1");
     row("a heading below", "clock.md", "- unit: px/frame²\n", "- unit: px\n\n### Hint\n\nPush.\n",
         "“### Hint” does not belong here.");
@@ -260,7 +260,7 @@ void TestLessonParameters::aMistakeIsNamedWithItsPlace_data()
         "nothing reads the parameter “sway”. Write sway into the rule");
     row("no spring there", "swing.md", "## Try {#",
         declaration("sway", "- sets: k of nail-bob\n- minimum: 0\n- maximum: 2"),
-        "no spring of the scene joins “nail” and “bob”. Springs join nothing.");
+        "the scene has no springs. Build one, or write “- value: ” in place of “- sets: ”.");
     row("no stick there", "swing.md", "## Try {#",
         declaration("sway", "- sets: length of nail-bop\n- minimum: 0\n- maximum: 2"),
         "no spring or stick of the scene joins “nail” and “bop”. They join \"nail-bob\".");

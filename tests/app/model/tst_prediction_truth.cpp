@@ -1,4 +1,4 @@
-// The truth about the runs of predictions.
+// The true answers to predictions, computed from their runs.
 
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/text/user_error.h"
@@ -32,7 +32,7 @@ void PredictionTruthTest::aThrowEndsWhereItsVelocitiesAddUpTo()
 {
     const LessonLibrary library = predictedLessons();
     const auto truth = truthOf(throwOfFoot(), *library.lesson("single_spring")->step("drag"));
-    // It leaves the hand at frame 10 with 10 px per frame, of which 0.9 stay in each frame.
+    // The foot is released at frame 10 with 10 px per frame. Damping keeps 0.9 of the velocity in each frame.
     const int free = static_cast<int>(std::ceil(std::log(0.05 / 10.0) / std::log(0.9)));
     const double way = 10.0 * 0.9 * (1.0 - std::pow(0.9, free)) / (1.0 - 0.9);
     QVERIFY(truth && truth->isReached);
@@ -100,7 +100,7 @@ void PredictionTruthTest::aRunThatDoesNotExistIsExplained_data()
                           << "There is no body \"tail\" here; there are foot";
     QTest::newRow("method") << "method"
                             << "magic"
-                            << "There is no method \"magic\".";
+                            << "There is no method \"magic\"; the methods are published, ";
     QTest::newRow("until") << "until"
                            << "foot.z > 1"
                            << "Character 6: ";

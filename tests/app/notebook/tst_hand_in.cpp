@@ -109,9 +109,9 @@ class HandInTest : public QObject
 
 private slots:
     void init() { forgetRecords(); }
-    void withNothingDoneItSaysWhatToDo();
+    void emptyNotebookShowsWhatToDo();
     void handedInWorkIsVerifiedAndShownOnPages();
-    void itAsksBeforeItReplaces();
+    void existingNotebookIsReplacedOnlyAfterConfirmation();
     void theWindowNamesANotebookThatItCannotOpen();
     void theTeacherChecksSeveral();
     void badUseIsNamed_data();
@@ -119,7 +119,7 @@ private slots:
     void thePageVerbWritesAPage();
 };
 
-void HandInTest::withNothingDoneItSaysWhatToDo()
+void HandInTest::emptyNotebookShowsWhatToDo()
 {
     HandInFixture fixture;
     fixture.open();
@@ -165,7 +165,7 @@ void HandInTest::handedInWorkIsVerifiedAndShownOnPages()
         QCOMPARE(entry.toObject()["result"].toString(), QString("shown"));
 }
 
-void HandInTest::itAsksBeforeItReplaces()
+void HandInTest::existingNotebookIsReplacedOnlyAfterConfirmation()
 {
     HandInFixture fixture;
     fixture.session.progress().markDone("single_spring", "drag", 0);
@@ -238,6 +238,10 @@ void HandInTest::badUseIsNamed_data()
     row({"check"}, "notebook takes ACTION FILE...; see springstep notebook --help.");
     row({"grade", "a"}, "notebook cannot \"grade\"; it can \"check\", \"page\" or \"write\".");
     row({"page", "a", "b.doc"}, "\"b.doc\" is not the name of a page; it can end in .html or .pdf.");
+    row({"page", "a", "b.html", "--name", "Ada"}, "--name is for notebook write. Leave it out.");
+    row({"write", "a.springstep-notebook", "--json"}, "--json is for notebook check. Leave it out.");
+    row({"check", "a", "--json", "--csv"}, "--json and --csv are two forms of the result. Leave one out.");
+    row({"write", "a", "b"}, "notebook write takes OUT; see springstep notebook --help.");
     row({"write", "a.txt"}, "\"a.txt\" is not the name of a notebook; it ends in .springstep-notebook.");
 }
 

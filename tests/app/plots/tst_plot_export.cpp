@@ -1,4 +1,4 @@
-// What is saved and copied of plots.
+// Saving and copying of plots.
 
 #include "tests/app/plots/plots_panel_support.h"
 #include "tests/suite.h"
@@ -56,6 +56,12 @@ private slots:
         QVERIFY(fixture.pixels(fixture.theme.tokens().now, image) > 20);
     }
 
+    void theSuggestedNameIsThatOfTheQuantity()
+    {
+        PlotsFixture fixture;
+        QCOMPARE(fixture.plot().picture().fileName, QString("y-foot"));
+    }
+
     void aPictureThatCannotBeWrittenIsSaidInASentence()
     {
         PlotsFixture fixture;
@@ -94,7 +100,7 @@ private slots:
         QCOMPARE(lines[51].split(',')[2].toDouble(), state.velocityOf(0).y);
     }
 
-    void aPlotThatGoesLeavesOffWhatItWrites()
+    void removingAPlotCancelsItsExport()
     {
         PlotsFixture fixture;
         fixture.goTo(20'000); // so that they are not written at once
