@@ -245,8 +245,9 @@ std::vector<Check> adaptChecks(const Exact &exact, const Values &defaultValues)
             .conditions =
                 {
                     {[](const Timeline &run) {
-                        return isAdaptive(run) && run.script().step.tolerance >= 0.1;
+                        return isAdaptive(run) && run.script().step.tolerance == 0.1;
                     }},
+                    unchanged(defaultValues),
                     exactlyAt(150),
                 },
         },

@@ -233,7 +233,9 @@ std::vector<Check> trunkChecks()
     return {
         {
             .id = "published",
-            .conditions = [](const Timeline &run) { return isPublished(run); },
+            .conditions = {{isPublished},
+                           {[](const Timeline &run) { return isSetTo(run, "base_length", 100.0); },
+                            "length"}},
         },
         {
             .id = "high",
@@ -251,7 +253,8 @@ std::vector<Check> branchesChecks()
         },
         {
             .id = "slope",
-            .conditions = [](const Timeline &run) { return isSetTo(run, "slope", 0.7); },
+            .conditions = {{[](const Timeline &run) { return isSetTo(run, "slope", 0.7); }},
+                           {[](const Timeline &run) { return isSetTo(run, "min_scale", 0.2); }, "smallest"}},
         },
         {
             .id = "three_branches",

@@ -367,7 +367,8 @@ std::vector<Check> moreFeetChecks()
     return {
         {
             .id = "twelve_feet",
-            .conditions = {parameterSetTo("feet", 12.0), unchangedFor("feet", 200)},
+            .conditions = {parameterSetTo("feet", 12.0), parameterSetTo("spread", 360.0, "spread"),
+                           unchangedFor("feet", 200), unchangedFor("spread", 200)},
         },
         {
             .id = "together",

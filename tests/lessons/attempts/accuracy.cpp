@@ -66,6 +66,15 @@ ATTEMPTS(accuracy)
              p.useTolerance(0.1);
              p.play(150);
          }},
+        {"adapt", 0, "a loose tolerance after a throw",
+         [](Player &p) {
+             p.grab("foot");
+             p.dragTo({120, 110}, 8);
+             p.release();
+             p.useTolerance(0.1);
+             p.play(150);
+         },
+         "unchanged"},
         {"adapt", 1, "thrown past the centre",
          [](Player &p) {
              p.grab("foot");

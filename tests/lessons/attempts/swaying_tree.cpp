@@ -39,6 +39,13 @@ ATTEMPTS(swaying_tree)
              p.set("formula", 1.0);
              p.play(1);
          }},
+        {"trunk", 0, "switched with a longer trunk",
+         [](Player &p) {
+             p.set("base_length", 200.0);
+             p.set("formula", 1.0);
+             p.play(1);
+         },
+         "length"},
         {"branches", 2, "raised",
          [](Player &p) {
              p.set("min_scale", 0.7);
@@ -46,6 +53,12 @@ ATTEMPTS(swaying_tree)
          }},
         {"branches", 0, "set", [](Player &p) { p.set("spread", 90.0); }},
         {"branches", 1, "set", [](Player &p) { p.set("slope", 0.7); }},
+        {"branches", 1, "set in a tree with fewer branches",
+         [](Player &p) {
+             p.set("min_scale", 0.4);
+             p.set("slope", 0.7);
+         },
+         "smallest"},
         {"randomness", 0, "set", [](Player &p) { p.set("jitter", 0.0); }},
         {"randomness", 1, "set", [](Player &p) { p.set("jitter", 60.0); }},
         {"randomness", 2, "chosen", [](Player &p) { p.set("spread", 90.0); }},

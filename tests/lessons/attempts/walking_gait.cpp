@@ -182,6 +182,13 @@ std::vector<Attempt> groundAttempts()
              p.set("feet", 12.0);
              p.play(210);
          }},
+        {"more_feet", 0, "twelve feet in step",
+         [](Player &p) {
+             p.set("spread", 0.0);
+             p.set("feet", 12.0);
+             p.play(210);
+         },
+         "spread"},
         {"more_feet", 1, "feet in step",
          [](Player &p) {
              p.set("spread", 0.0);
