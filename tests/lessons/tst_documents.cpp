@@ -1,4 +1,4 @@
-// The documents of the steps: their format, and that all languages say the same.
+// The documents of the steps have the required format, and all languages have the same contents.
 
 #include "lessons/api/text/document.h"
 #include "lessons/api/text/recall.h"
@@ -17,7 +17,7 @@ using lessons::Document;
 
 namespace {
 
-/// Returns what a run says, in a few lines.
+/// Returns a description of a run in a few lines.
 QStringList linesOf(const lessons::RunSetup &run)
 {
     QStringList all{run.step, run.method, run.until, QString::number(run.frames)};
@@ -139,8 +139,8 @@ private slots:
     void questionsAreAboutThisLessonOrTheTwoBefore();
     void languagesHaveTheSameQuestions_data();
     void languagesHaveTheSameQuestions();
-    void linksLeadSomewhere_data() { addTranslationRows(); }
-    void linksLeadSomewhere();
+    void linksHaveTargets_data() { addTranslationRows(); }
+    void linksHaveTargets();
 
 private:
     /// Adds one row for each document.
@@ -308,7 +308,7 @@ void DocumentsTest::languagesHaveTheSameQuestions()
     }
 }
 
-void DocumentsTest::linksLeadSomewhere()
+void DocumentsTest::linksHaveTargets()
 {
     static const QRegularExpression link("\\[[^\\]]*\\]\\(([^)]*)\\)");
     QFETCH(QString, lesson);

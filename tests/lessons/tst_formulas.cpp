@@ -1,4 +1,4 @@
-// Formulas with braces: what they highlight, and mistakes in them.
+// Formulas with braces: the subjects that they highlight, and mistakes in them.
 
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
@@ -72,11 +72,11 @@ private slots:
     void severalWordsAreSeparatedByCommas();
     void aMistakeInBracesIsNamedWithItsRemedy_data();
     void aMistakeInBracesIsNamedWithItsRemedy();
-    void allLessonsHighlightWhatIsThere_data() { addStepRows(); }
-    void allLessonsHighlightWhatIsThere();
+    void highlightedSubjectsExistInEveryStep_data() { addStepRows(); }
+    void highlightedSubjectsExistInEveryStep();
     void allLanguagesHighlightTheSame_data() { addStepRows(); }
     void allLanguagesHighlightTheSame();
-    void eachLessonHasTwoDerivationsOfWhichOneIsChecked();
+    void eachLessonHasTwoDerivationsAndChecksOne();
 };
 
 void FormulasTest::wordsInBracesAreRead_data()
@@ -191,7 +191,7 @@ std::vector<lessons::Document> documentsOf(const lessons::Step &step)
 
 }
 
-void FormulasTest::allLessonsHighlightWhatIsThere()
+void FormulasTest::highlightedSubjectsExistInEveryStep()
 {
     const lessons::Step step = stepOfRow();
     for (const lessons::Document &document : documentsOf(step)) {
@@ -218,7 +218,7 @@ void FormulasTest::allLanguagesHighlightTheSame()
     }
 }
 
-void FormulasTest::eachLessonHasTwoDerivationsOfWhichOneIsChecked()
+void FormulasTest::eachLessonHasTwoDerivationsAndChecksOne()
 {
     for (const QString &id : lessonIds()) {
         const LoadedLesson lesson = loadLesson(id);

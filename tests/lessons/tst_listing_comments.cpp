@@ -56,9 +56,9 @@ private slots:
     void everyCommentIsTranslated();
     void onlyCommentsDiffer_data() { addRows(); }
     void onlyCommentsDiffer();
-    void aTextOfAnotherLanguageIsUntouched_data() { addRows(); }
-    void aTextOfAnotherLanguageIsUntouched();
-    void theLearnersTextStays();
+    void listingOfAnotherLanguageIsShownInTheWindowsLanguage_data() { addRows(); }
+    void listingOfAnotherLanguageIsShownInTheWindowsLanguage();
+    void learnersTextIsNotTranslated();
     void lessonsAgreeOnTheirComments();
 
 private:
@@ -128,7 +128,7 @@ void ListingComments::onlyCommentsDiffer()
     }
 }
 
-void ListingComments::aTextOfAnotherLanguageIsUntouched()
+void ListingComments::listingOfAnotherLanguageIsShownInTheWindowsLanguage()
 {
     QFETCH(QString, lesson);
     QFETCH(QString, language);
@@ -145,7 +145,7 @@ void ListingComments::aTextOfAnotherLanguageIsUntouched()
     }
 }
 
-void ListingComments::theLearnersTextStays()
+void ListingComments::learnersTextIsNotTranslated()
 {
     const QString lesson = QStringLiteral("single_spring");
     QString german;

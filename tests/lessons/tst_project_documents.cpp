@@ -1,4 +1,4 @@
-// The documents of projects: their format, their mistakes, and that all languages ask the same.
+// The documents of projects: their format, mistakes in them, and equal levels in all languages.
 
 #include "lessons/api/text/document.h"
 #include "lessons/api/text/project.h"
@@ -148,15 +148,15 @@ class ProjectDocumentsTest : public QObject
     Q_OBJECT
 
 private slots:
-    void everythingIsRead();
+    void everyFieldIsRead();
     void eachMistakeIsNamed_data();
     void eachMistakeIsNamed();
     void everyLessonHasAProjectInEveryLanguage_data() { addLessonRows(); }
     void everyLessonHasAProjectInEveryLanguage();
     void textsAreNeitherShortNorLong_data() { addLessonRows(); }
     void textsAreNeitherShortNorLong();
-    void languagesAskTheSame_data() { addLessonRows(); }
-    void languagesAskTheSame();
+    void languagesHaveTheSameLevels_data() { addLessonRows(); }
+    void languagesHaveTheSameLevels();
 
 private:
     static void addLessonRows();
@@ -172,7 +172,7 @@ void ProjectDocumentsTest::addLessonRows()
     }
 }
 
-void ProjectDocumentsTest::everythingIsRead()
+void ProjectDocumentsTest::everyFieldIsRead()
 {
     using When = lessons::ProjectDemand::When;
     const lessons::Project project = lessons::parseProject(goodProject, projectName);
@@ -230,7 +230,7 @@ void ProjectDocumentsTest::textsAreNeitherShortNorLong()
     }
 }
 
-void ProjectDocumentsTest::languagesAskTheSame()
+void ProjectDocumentsTest::languagesHaveTheSameLevels()
 {
     QFETCH(QString, lesson);
     const lessons::Project english = projectIn(lesson, "en"), german = projectIn(lesson, "de");

@@ -62,7 +62,7 @@ private slots:
     void heldBranchKeepsItsAngleAndMovesItsChildren();
     void windIsDrawnWhileTheButtonIsDown();
     void theLargestBendIsTheShortWay();
-    void bendOfAnotherTreeDoesNotCount();
+    void bendBeforeTheTreeChangedDoesNotCount();
 };
 
 void SwayingTree::matchesPrintedCode_data()
@@ -324,7 +324,7 @@ void SwayingTree::theLargestBendIsTheShortWay()
     QVERIFY2(bend > 1.0 && bend <= 180.0, qPrintable(QString::number(bend)));
 }
 
-void SwayingTree::bendOfAnotherTreeDoesNotCount()
+void SwayingTree::bendBeforeTheTreeChangedDoesNotCount()
 {
     const lessons::Step &rest = step("rest");
     sim::Script script = pressed("rest", {275, 390});

@@ -10,7 +10,7 @@
 
 using namespace support;
 
-/// How the tree of the lesson `swaying_tree` grows, and what a run keeps when the tree changes.
+/// The growth of the tree in the lesson `swaying_tree`, and the state that a run keeps when the tree changes.
 class TreeGrowth : public QObject
 {
     Q_OBJECT

@@ -20,7 +20,7 @@ struct TaughtWord
     std::size_t step = 0;
 };
 
-/// Returns the words of which a form is in `text` as a whole word. A form within a longer one does not count.
+/// Returns the glossary words that occur in `text` in one of their forms. A form within a longer one does not count.
 QStringList wordsIn(QString text, const std::vector<TaughtWord> &words)
 {
     std::vector<std::pair<QString, QString>> forms;

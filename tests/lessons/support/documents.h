@@ -5,7 +5,7 @@
 
 namespace support {
 
-/// Where the plugins of lessons put their documents.
+/// The resource path of the documents in lesson plugins.
 inline const QString documentFolder = QStringLiteral(":/documents/");
 
 /// Returns all lessons in their order, loaded once. Their documents can be read from then on.
@@ -16,7 +16,7 @@ QString idOf(const LoadedLesson &lesson);
 /// Returns the document of a step in a language. Without a title if there is none.
 lessons::Document documentOf(const QString &lesson, const QString &step, const QString &language);
 
-/// A text of a document, and where it stands.
+/// A text of a document and its position.
 struct DocumentPlace
 {
     QString where;

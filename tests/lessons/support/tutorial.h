@@ -32,7 +32,7 @@ protected:
     virtual Clip *findClip(const std::string &name) = 0;
     /// Begins a frame: takes its input.
     void takeInput();
-    /// Moves the held clip to the pointer. Its velocity is the way there, if it keeps one.
+    /// Moves the held clip to the pointer. If the clip keeps a velocity, it is this displacement.
     void moveHeld(bool keepsVelocity);
     const Clip *held() const { return m_held; }
 
