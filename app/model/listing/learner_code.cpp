@@ -107,6 +107,13 @@ void LearnerCode::reset()
     set(original(), {tr("Reset listing"), tr("your code"), {}, tr("the listing of the step")});
 }
 
+void LearnerCode::removeLines(const lessons::CodeTask &task)
+{
+    const QString left = m_run.step().listing.emptied(task);
+    const QString before = isChanged() ? tr("your code") : tr("the listing of the step");
+    set(left, {tr("Change code"), before, {}, firstNewLine(text(), left)});
+}
+
 void LearnerCode::set(const QString &text, const EditLabel &label)
 {
     if (text == this->text())

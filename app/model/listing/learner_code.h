@@ -58,6 +58,8 @@ public:
     /// Replaces the text by the step's listing. If the text was in use, the step's own method computes the run then. It can
     /// be undone.
     void reset();
+    /// Replaces the text by the step's listing without the lines that `task` asks for. None of them names the previous run.
+    void removeLines(const lessons::CodeTask &task);
     /// Makes the text compute the run: as *Your code*, or by the step's own method if it is the step's listing. If the
     /// text does not compile, says so, and changes nothing.
     void use();

@@ -42,7 +42,7 @@ void TaskDesk::start(const QString &id)
         if (!code.isInUse())
             code.reset(); // the run follows what the learner writes
         m_session.editor().endGesture();
-        code.write(m_session.step().listing.emptied(*found));
+        code.removeLines(*found);
         m_session.editor().endGesture();
     }
     m_sheet.task = id;

@@ -1,4 +1,4 @@
-// Tasks in listings: the gaps of a listing, and the desk that a learner writes at.
+// Tasks in listings: the gaps of a listing, and the judgement of the learner's code.
 
 #include "app/model/listing/learner_code.h"
 #include "app/model/listing/task_desk.h"
@@ -68,10 +68,11 @@ private slots:
     void aGapIsReplacedWithItsIndentation();
     void wrongMarkersAreRejected_data();
     void wrongMarkersAreRejected();
-    void startingEmptiesThePlace();
+    void startingATaskEmptiesItsGap();
+    void noLineOfTheSolutionNamesTheGhost();
     void startingCanBeUndone();
     void rightCodeTicksTheTask();
-    void aNearMissTellsWhatItDoes();
+    void nearMissGetsItsOwnSentence();
     void codeThatDoesNotCompileHasNoJudgement();
     void theLastTextIsJudged();
     void resettingTheListingTicksNothing();
@@ -150,7 +151,7 @@ void CodeTasksTest::wrongMarkersAreRejected()
     }
 }
 
-void CodeTasksTest::startingEmptiesThePlace()
+void CodeTasksTest::startingATaskEmptiesItsGap()
 {
     DeskFixture world;
     QVERIFY(!world.desk.task());
@@ -161,6 +162,20 @@ void CodeTasksTest::startingEmptiesThePlace()
     QVERIFY(!world.desk.verdict());
     world.desk.start("no such task");
     QCOMPARE(world.desk.task(), &world.pull());
+}
+
+void CodeTasksTest::noLineOfTheSolutionNamesTheGhost()
+{
+    DeskFixture world;
+    world.goTo(20);
+    world.desk.start("pull");
+    QTRY_VERIFY(world.arrives());
+    QCOMPARE(world.session.comparisons().comparisonName(), "before: the listing of the step");
+    world.session.code().write(world.with("foot.velocity.x = 1;"));
+    QTRY_VERIFY(world.arrives());
+    world.desk.start("pull");
+    QTRY_VERIFY(world.arrives());
+    QCOMPARE(world.session.comparisons().comparisonName(), "before: your code");
 }
 
 void CodeTasksTest::startingCanBeUndone()
@@ -191,7 +206,7 @@ void CodeTasksTest::rightCodeTicksTheTask()
     QVERIFY(!world.isTicked());
 }
 
-void CodeTasksTest::aNearMissTellsWhatItDoes()
+void CodeTasksTest::nearMissGetsItsOwnSentence()
 {
     DeskFixture world;
     world.desk.start("pull");
@@ -255,7 +270,7 @@ void CodeTasksTest::typingTheListingsOwnLineTicks()
 {
     DeskFixture world;
     world.desk.start("pull");
-    world.write("foot.velocity += k * (centre - foot.position);"); // the very text of the listing
+    world.write("foot.velocity += k * (centre - foot.position);"); // exactly the text of the listing
     QCOMPARE(world.session.code().text(), world.session.step().listing.text);
     QVERIFY(world.isTicked());
 }
@@ -296,7 +311,7 @@ void CodeTasksTest::aTaskCountsForTheStep()
     const lessons::Step &step = world.session.step();
     const auto isDone = [&] { return world.session.isStepDone(world.session.lesson(), step); };
     QVERIFY(!step.tries.empty());
-    // A file of progress from before there were tasks.
+    // A progress file of a version without tasks.
     QStringList ticks;
     for (int i = 0; i < static_cast<int>(step.tries.size()); ++i)
         ticks << QString("single_spring/fixed_centre/%1").arg(i);
