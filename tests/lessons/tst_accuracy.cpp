@@ -71,6 +71,7 @@ private slots:
     void halvingTheStepReducesErrorsByOrder_data();
     void halvingTheStepReducesErrorsByOrder();
     void errorsAtEqualCostMatchText();
+    void smallestErrorOfTheTextIsReadInTheWindow();
     void adaptiveStepsShortenOnlyNearTheCentre();
     void adaptiveStepsCostLess();
     void fixedStepThroughABounceHasOrderOne();
@@ -177,6 +178,12 @@ void Accuracy::errorsAtEqualCostMatchText()
         QCOMPARE(measured("halve", 1, scriptOf(step("halve"), method, h), 3).back(), 8.0);
     QVERIFY(errorAt("halve", "rk4", 2.0, 60) > 30.0 &&
             errorAt("halve", "semi_implicit_euler", 2.0, 60) > 30.0);
+}
+
+void Accuracy::smallestErrorOfTheTextIsReadInTheWindow()
+{
+    QVERIFY(narrationContains("halve", u"is 0.00003 px against 0.05"_qs));
+    QVERIFY(std::pow(10.0, -step("halve").measures.front().decimals) <= 0.00003);
 }
 
 void Accuracy::adaptiveStepsShortenOnlyNearTheCentre()

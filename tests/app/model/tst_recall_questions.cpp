@@ -221,6 +221,13 @@ void RecallQuestionsTest::wrongAttemptsAreNotAccepted_data()
         {.lesson = "codeling", .question = "look_down", .target = sim::Vec2{30, 215}, .frames = 100});
     row("carried to the ring",
         {.lesson = "accuracy", .question = "on_the_ring", .body = "foot", .by = {-33.917, 0}, .frames = 120});
+    row("held still",
+        {.lesson = "multi_foot", .question = "sixty_hold", .body = "body", .by = {1, 0}, .frames = 400});
+    row("carried by its own end", {.lesson = "rigid_constraint",
+                                   .question = "comes_behind",
+                                   .body = "p1",
+                                   .by = {120, 0},
+                                   .frames = 3});
     row("another method",
         {.lesson = "hard_cases", .question = "thirty", .method = "backward_euler", .frames = 120});
     row("held",
