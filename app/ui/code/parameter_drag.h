@@ -23,7 +23,7 @@ public:
     /// Sets the parameter for the way that the mouse has gone since take(). Returns whether the parameter can be dragged.
     bool drag(int pixels, bool fine);
 
-    /// Lets the next edits become an undo step of their own.
+    /// Starts a new undo step for the next edits.
     void endGesture() { m_changes.endGesture(); }
 
     /// Ends the drag, and takes it back unless `keep`. Returns whether there was one.

@@ -95,7 +95,7 @@ private slots:
                             const QString &said) {
             QTest::newRow(name) << QString(file) << QByteArray(from) << QByteArray(to) << said;
         };
-        row("a concept that nobody teaches", "clock.md", "Rests on: pendulum_length", "Rests on: pendulm",
+        row("a concept that no step explains", "clock.md", "Rests on: pendulum_length", "Rests on: pendulm",
             "the concept “limit_swing” rests on “pendulm”, which no step explains.");
         row("a heading without a space", "swing.md", "## Try {#let_go}", "##Try {#let_go}",
             "/swing.md, line 15: a space is missing after “#”. Write the heading as in “## Learnt”.");

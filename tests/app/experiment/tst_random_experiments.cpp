@@ -1,5 +1,5 @@
-// Random experiment files. Each is refused with a sentence, or it runs, and no number that is shown or written is
-// infinite or not a number. Environment variables choose other files:
+// Random experiment files. A file is refused with a sentence, or its run shows and writes only finite numbers.
+// Environment variables choose other files:
 //   SPRINGSTEP_RANDOM_SEED   the seed, 1 to begin with
 //   SPRINGSTEP_RANDOM_COUNT  how many
 //   SPRINGSTEP_RANDOM_FIRST  the number of the first, 1 to begin with: many can be done in slices, one after the other

@@ -24,7 +24,7 @@ QString whereIs(const QWidget *widget)
     return path.join('/');
 }
 
-/// Returns how many px of a widget are hidden on its right or left without a way to scroll there.
+/// Returns how many px of the width of a widget are hidden.
 int hidden(const QWidget &widget)
 {
     return widget.width() - widget.visibleRegion().boundingRect().width();

@@ -292,7 +292,7 @@ private slots:
         QCOMPARE(error->line, opened.lineOf("1 / zero"));
         QCOMPARE(endSentence(session.timeline().track()),
                  QString("Stopped at frame 9. Line %1 of your code: This divides by 0.").arg(error->line));
-        // After the correction, the run goes on to the learner's frame.
+        // After the correction, the run is computed up to the learner's frame.
         session.code().write(stiffer(opened));
         opened.waitUntilThere();
         QCOMPARE(session.timeline().cursor(), (sim::Cursor{50, 0}));

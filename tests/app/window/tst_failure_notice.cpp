@@ -1,4 +1,4 @@
-// The notice over the picture when a run stops by itself, and its remedies, with real widgets.
+// Tests of the notice over the picture after a run has failed, and of its remedies, with real widgets.
 
 #include "app/model/text/sentences.h"
 #include "app/ui/window/failure_notice.h"
